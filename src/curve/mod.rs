@@ -1,0 +1,5 @@
+//! Curves a body can follow.
+
+mod bezier;
+
+pub use bezier::CubicBezier;

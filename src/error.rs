@@ -1,0 +1,196 @@
+//! One small error enum per door.
+//!
+//! Every call that takes input from outside checks it there and answers bad
+//! input with one of these. An error names the field, the value and the limit;
+//! whatever the call was made on is as it was before.
+
+use thiserror::Error;
+
+/// A number is outside its documented domain.
+///
+/// The limits are constants in [`tolerance`](crate::tolerance).
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[non_exhaustive]
+pub enum ValueError {
+    /// The number is NaN or infinite.
+    #[error("{field} is not finite: {value}")]
+    NotFinite {
+        /// What the number stands for.
+        field: &'static str,
+        /// The number given.
+        value: f64,
+    },
+    /// The number is below its floor.
+    #[error("{field} is {value:e}, below the minimum of {min:e}")]
+    TooSmall {
+        /// What the number stands for.
+        field: &'static str,
+        /// The number given.
+        value: f64,
+        /// The smallest number allowed.
+        min: f64,
+    },
+    /// The number is above its ceiling.
+    #[error("{field} is {value:e}, above the maximum of {max:e}")]
+    TooLarge {
+        /// What the number stands for.
+        field: &'static str,
+        /// The number given.
+        value: f64,
+        /// The largest number allowed.
+        max: f64,
+    },
+}
+
+/// A shape cannot be built from what was given.
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum ShapeError {
+    /// A coordinate or length is outside its domain.
+    #[error(transparent)]
+    Value(#[from] ValueError),
+    /// There are too few points for a body with volume.
+    #[error("{count} points given, at least {min} are needed")]
+    TooFewPoints {
+        /// How many points were given.
+        count: usize,
+        /// How many are needed.
+        min: usize,
+    },
+    /// The points or triangles span no volume: they coincide, or lie on one line or one plane.
+    #[error(
+        "the points span {dimensions} dimensions: thinner than {min_thickness:e} m, \
+         they enclose no volume"
+    )]
+    Flat {
+        /// How many dimensions the points span: 0 (all coincide), 1 (a line) or 2 (a plane).
+        dimensions: u8,
+        /// The least thickness that counts as a dimension, in metres.
+        min_thickness: f64,
+    },
+    /// A triangle's corners coincide or lie on one line.
+    #[error("triangle {triangle} is degenerate: its height is {height:e} m, below {min:e} m")]
+    DegenerateTriangle {
+        /// Index of the triangle.
+        triangle: usize,
+        /// Its least height, in metres.
+        height: f64,
+        /// The least height allowed, in metres.
+        min: f64,
+    },
+    /// A triangle names a vertex that does not exist.
+    #[error("triangle {triangle} names vertex {vertex}, but there are only {count} vertices")]
+    NoSuchVertex {
+        /// Index of the triangle.
+        triangle: usize,
+        /// The vertex index it names.
+        vertex: usize,
+        /// How many vertices were given.
+        count: usize,
+    },
+    /// Two vertices lie at the same point.
+    #[error("vertices {first} and {second} coincide")]
+    DuplicateVertex {
+        /// Index of the first of the two.
+        first: usize,
+        /// Index of the second.
+        second: usize,
+    },
+    /// A vertex belongs to no triangle.
+    #[error("vertex {vertex} belongs to no triangle")]
+    UnusedVertex {
+        /// Index of the vertex.
+        vertex: usize,
+    },
+    /// An edge does not lie between exactly two triangles: the surface is open or branches.
+    #[error(
+        "the surface is not closed: the edge from vertex {from} to vertex {to} of triangle \
+         {triangle} lies on {count} triangles instead of 2"
+    )]
+    NotClosed {
+        /// Index of a triangle with that edge.
+        triangle: usize,
+        /// The edge's first vertex.
+        from: usize,
+        /// The edge's second vertex.
+        to: usize,
+        /// How many triangles have that edge.
+        count: usize,
+    },
+    /// A triangle's corners run the other way round than its neighbour's.
+    #[error("triangle {triangle} is wound against its neighbour {neighbour}")]
+    InconsistentWinding {
+        /// Index of the triangle.
+        triangle: usize,
+        /// Index of the triangle next to it.
+        neighbour: usize,
+    },
+    /// All triangles face inwards.
+    #[error("the surface is inside out: triangle {triangle} faces inwards")]
+    InsideOut {
+        /// Index of a triangle that faces inwards.
+        triangle: usize,
+    },
+    /// A vertex lies outside the plane of a triangle: the surface is not convex.
+    #[error(
+        "the surface is not convex: vertex {vertex} lies {distance:e} m outside triangle {triangle}"
+    )]
+    NotConvex {
+        /// Index of the triangle.
+        triangle: usize,
+        /// Index of the vertex outside its plane.
+        vertex: usize,
+        /// How far outside, in metres.
+        distance: f64,
+    },
+    /// The triangles form more than one surface.
+    #[error("triangle {triangle} is not connected to triangle 0")]
+    NotConnected {
+        /// Index of a triangle that belongs to another surface.
+        triangle: usize,
+    },
+}
+
+/// A path or curve cannot be built from what was given.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[non_exhaustive]
+pub enum PathError {
+    /// A coordinate is outside its domain.
+    #[error(transparent)]
+    Value(#[from] ValueError),
+    /// There are too few points to lead a path through.
+    #[error("{count} points given, at least {min} are needed")]
+    TooFewPoints {
+        /// How many points were given.
+        count: usize,
+        /// How many are needed.
+        min: usize,
+    },
+    /// There is not one tangent for every point.
+    #[error("{tangents} tangents given for {points} points")]
+    TangentCount {
+        /// How many points were given.
+        points: usize,
+        /// How many tangents were given.
+        tangents: usize,
+    },
+    /// Two successive points coincide, or the piece between them has no length.
+    #[error("piece {piece} of the path is {length:e} m long, below the minimum of {min:e} m")]
+    PieceTooShort {
+        /// Index of the piece.
+        piece: usize,
+        /// Its length in metres.
+        length: f64,
+        /// The least length allowed.
+        min: f64,
+    },
+}
+
+/// A motion cannot be built from what was given.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[non_exhaustive]
+pub enum MotionError {
+    /// A coordinate, velocity or speed is outside its domain.
+    #[error(transparent)]
+    Value(#[from] ValueError),
+}

@@ -1,0 +1,13 @@
+//! Continuous collision detection by casting rays.
+
+mod curve;
+pub mod error;
+pub mod geometry;
+mod math;
+pub mod tolerance;
+
+pub use curve::CubicBezier;
+pub use error::{MotionError, PathError, ShapeError, ValueError};
+pub use geometry::{
+    Aabb, Cuboid, Edge, Face, Feature, Obb, Polytope, Pose, Ray, Shape, Sphere, Triangle,
+};

@@ -1,0 +1,4 @@
+//! Scalar numerics that know no shapes.
+
+pub(crate) mod domain;
+pub(crate) mod frame;
