@@ -5,6 +5,7 @@ pub mod error;
 pub mod geometry;
 mod math;
 mod motion;
+mod narrow_phase;
 pub mod tolerance;
 
 pub use curve::{ArcLengthRow, ArcLengthTable, CubicBezier, Spline};
@@ -13,3 +14,4 @@ pub use geometry::{
     Aabb, Cuboid, Edge, Face, Feature, Obb, Polytope, Pose, Ray, Shape, Sphere, Triangle,
 };
 pub use motion::Path;
+pub use narrow_phase::overlap::{Overlap, overlap};
