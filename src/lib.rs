@@ -6,6 +6,7 @@ pub mod geometry;
 mod math;
 mod motion;
 mod narrow_phase;
+pub mod raycast;
 pub mod tolerance;
 
 pub use curve::{ArcLengthRow, ArcLengthTable, CubicBezier, Spline};
@@ -15,3 +16,4 @@ pub use geometry::{
 };
 pub use motion::Path;
 pub use narrow_phase::overlap::{Overlap, overlap};
+pub use raycast::{RayCast, RayHit, RaySpan, SurfacePoint};
