@@ -4,6 +4,7 @@
 //! input with one of these. An error names the field, the value and the limit;
 //! whatever the call was made on is as it was before.
 
+use crate::world::BodyId;
 use thiserror::Error;
 
 /// A number is outside its documented domain.
@@ -199,4 +200,69 @@ pub enum MotionError {
     /// A coordinate, velocity or speed is outside its domain.
     #[error(transparent)]
     Value(#[from] ValueError),
+}
+
+/// A world cannot be configured as asked.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[non_exhaustive]
+pub enum ConfigError {
+    /// A number is outside its domain.
+    #[error(transparent)]
+    Value(#[from] ValueError),
+}
+
+/// A body cannot be inserted, or be given what was asked.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[non_exhaustive]
+pub enum BodyError {
+    /// A number is outside its domain.
+    #[error(transparent)]
+    Value(#[from] ValueError),
+    /// The motion is not possible.
+    #[error(transparent)]
+    Motion(#[from] MotionError),
+    /// The body has been removed, or belongs to another world.
+    #[error("there is no body {id}: it has been removed, or belongs to another world")]
+    UnknownBody {
+        /// The id given.
+        id: BodyId,
+    },
+    /// The world is full.
+    #[error("the world holds {max} bodies already")]
+    TooManyBodies {
+        /// How many bodies a world can hold.
+        max: usize,
+    },
+}
+
+/// A world cannot be stepped as asked.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[non_exhaustive]
+pub enum StepError {
+    /// The time step is outside its domain.
+    #[error(transparent)]
+    Value(#[from] ValueError),
+    /// A body would fly out of the domain of coordinates.
+    #[error("body {id} would leave the world: {source}")]
+    LeftWorld {
+        /// The body.
+        id: BodyId,
+        /// The coordinate that would be too large.
+        source: ValueError,
+    },
+}
+
+/// What [`first_contact`](crate::first_contact) cannot work with.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[non_exhaustive]
+pub enum FirstContactError {
+    /// One of the bodies.
+    #[error(transparent)]
+    Body(#[from] BodyError),
+    /// The method.
+    #[error(transparent)]
+    Config(#[from] ConfigError),
+    /// The horizon.
+    #[error(transparent)]
+    Step(#[from] StepError),
 }

@@ -1,19 +1,32 @@
 //! Continuous collision detection by casting rays.
 
+mod broad_phase;
 mod curve;
+pub mod early_out;
 pub mod error;
 pub mod geometry;
 mod math;
 mod motion;
 mod narrow_phase;
 pub mod raycast;
+pub mod sampling;
 pub mod tolerance;
+mod world;
 
+pub use broad_phase::BroadPhase;
 pub use curve::{ArcLengthRow, ArcLengthTable, CubicBezier, Spline};
-pub use error::{MotionError, PathError, ShapeError, ValueError};
+pub use error::{
+    BodyError, ConfigError, FirstContactError, MotionError, PathError, ShapeError, StepError,
+    ValueError,
+};
 pub use geometry::{
     Aabb, Cuboid, Edge, Face, Feature, Obb, Polytope, Pose, Ray, Shape, Sphere, Triangle,
 };
-pub use motion::Path;
+pub use motion::{Motion, Path};
 pub use narrow_phase::overlap::{Overlap, overlap};
+pub use narrow_phase::rays::{Chords, Overlaps, Placement, RayConfig, Refinement, Senders};
 pub use raycast::{RayCast, RayHit, RaySpan, SurfacePoint};
+pub use world::{
+    Advance, Body, BodyId, CollisionWorld, Contact, ContactKind, Method, PairContact, PhaseTimes,
+    StepStats, WorldConfig, first_contact,
+};

@@ -1,0 +1,108 @@
+//! Bodies.
+
+use crate::error::{BodyError, ValueError};
+use crate::geometry::Shape;
+use crate::motion::Motion;
+use glam::{DQuat, DVec3};
+
+/// A shape that stands or moves in a world.
+///
+/// ```
+/// use feeler::{Body, Cuboid, Motion, Sphere};
+/// use glam::DQuat;
+///
+/// let wall = Body::fixed(Cuboid::new([5.0, 0.1, 3.0])?, [0.0, 0.0, 0.0])
+///     .oriented(DQuat::from_rotation_z(0.3));
+/// let ball = Body::moving(Sphere::new(0.2)?, Motion::free([0.0, 4.0, 0.0], [0.0, -3.0, 0.0])?);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Body {
+    pub(crate) shape: Shape,
+    pub(crate) orientation: DQuat,
+    pub(crate) motion: Motion,
+}
+
+impl Body {
+    /// A body that stands at `position` (in metres).
+    ///
+    /// The position is checked when the body is inserted into a world.
+    #[must_use]
+    pub fn fixed(shape: impl Into<Shape>, position: impl Into<DVec3>) -> Self {
+        Self::moving(shape, Motion::fixed_unchecked(position.into()))
+    }
+
+    /// A body that moves.
+    #[must_use]
+    pub fn moving(shape: impl Into<Shape>, motion: Motion) -> Self {
+        Self {
+            shape: shape.into(),
+            orientation: DQuat::IDENTITY,
+            motion,
+        }
+    }
+
+    /// The body turned to `orientation`, a quaternion of unit length.
+    ///
+    /// It is checked when the body is inserted into a world.
+    #[must_use]
+    pub fn oriented(self, orientation: DQuat) -> Self {
+        Self {
+            orientation,
+            ..self
+        }
+    }
+
+    /// The body's shape.
+    #[must_use]
+    pub fn shape(&self) -> &Shape {
+        &self.shape
+    }
+
+    /// The body's orientation.
+    #[must_use]
+    pub fn orientation(&self) -> DQuat {
+        self.orientation
+    }
+
+    /// The body's motion.
+    #[must_use]
+    pub fn motion(&self) -> &Motion {
+        &self.motion
+    }
+
+    /// The body, if all that was left unchecked is in order.
+    pub(crate) fn checked(mut self) -> Result<Self, BodyError> {
+        /// How far a quaternion may be from unit length. Products of many
+        /// rotations drift by an ulp each, even in `f32` below this.
+        const DRIFT: f64 = 1e-3;
+        self.motion = self.motion.checked()?;
+        let length = self.orientation.length();
+        let field = "orientation.length";
+        if !length.is_finite() {
+            return Err(ValueError::NotFinite {
+                field,
+                value: length,
+            }
+            .into());
+        }
+        if length < 1.0 - DRIFT {
+            return Err(ValueError::TooSmall {
+                field,
+                value: length,
+                min: 1.0 - DRIFT,
+            }
+            .into());
+        }
+        if length > 1.0 + DRIFT {
+            return Err(ValueError::TooLarge {
+                field,
+                value: length,
+                max: 1.0 + DRIFT,
+            }
+            .into());
+        }
+        self.orientation = self.orientation.normalize();
+        Ok(self)
+    }
+}

@@ -1,0 +1,258 @@
+//! The world as its users see it.
+
+use crate::broad_phase::PairList;
+use crate::error::{BodyError, ConfigError};
+use crate::geometry::{Pose, Shape};
+use crate::motion::{FrameMotion, Motion};
+use crate::narrow_phase::rays::RayCaster;
+use crate::world::slots::{Resident, Slots};
+use crate::world::{Body, BodyId, Contact, Method, StepStats, WorldConfig};
+use glam::DVec3;
+
+/// Bodies that move, and when, where and how they meet.
+///
+/// Bodies go in, the world is stepped frame by frame, and every step answers
+/// with the contacts of that frame: for every pair the first touch, or that it
+/// overlapped already. A body without response flies on through what it hit.
+///
+/// Contacts come sorted by time, then by ids. The same calls give the same
+/// bits. Any call that returns an error leaves the world as it was.
+///
+/// ```
+/// use feeler::{Body, CollisionWorld, Motion, Path, Sphere};
+///
+/// let mut world = CollisionWorld::default();
+/// let target = world.insert(Body::fixed(Sphere::new(1.0)?, [0.0, 0.0, 0.0]))?;
+/// let path = Path::line([3.0, 0.0, 1.0], [0.0, 0.0, 1.0])?;
+/// let ball = world.insert(Body::moving(Sphere::new(1.0)?, Motion::along(path, 1.0)?))?;
+///
+/// let contacts = world.step(2.0)?;
+/// assert_eq!(contacts.len(), 1);
+/// assert_eq!((contacts[0].a, contacts[0].b), (ball, target));
+/// assert!((contacts[0].time - (3.0 - 3.0_f64.sqrt())).abs() < 1e-9);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub struct CollisionWorld {
+    pub(super) config: WorldConfig,
+    pub(super) slots: Slots,
+    pub(super) time: f64,
+    pub(super) caster: RayCaster,
+    pub(super) pairs: PairList,
+    /// Slots whose pairs are to be listed anew.
+    pub(super) changed: Vec<u32>,
+    pub(super) contacts: Vec<Contact>,
+    /// Pairs that were reported as touching and have not parted since, by slot, sorted.
+    pub(super) touching: Vec<(u32, u32)>,
+    /// Those of them that still touched as the frame at hand began.
+    pub(super) resting: Vec<(u32, u32)>,
+    /// Pairs that passed the early-outs of the frame at hand.
+    pub(super) survivors: Vec<(u32, u32)>,
+    pub(super) stats: StepStats,
+}
+
+impl Default for CollisionWorld {
+    /// An empty world with default settings.
+    fn default() -> Self {
+        Self::with_checked(WorldConfig::default())
+    }
+}
+
+impl CollisionWorld {
+    /// An empty world.
+    ///
+    /// # Errors
+    /// If a setting is outside its documented domain.
+    pub fn new(config: WorldConfig) -> Result<Self, ConfigError> {
+        Ok(Self::with_checked(config.checked()?))
+    }
+
+    fn with_checked(config: WorldConfig) -> Self {
+        let Method::Rays(rays) = config.method;
+        Self {
+            config,
+            slots: Slots::default(),
+            time: 0.0,
+            caster: RayCaster::new(rays),
+            pairs: PairList::default(),
+            changed: Vec::new(),
+            contacts: Vec::new(),
+            touching: Vec::new(),
+            resting: Vec::new(),
+            survivors: Vec::new(),
+            stats: StepStats::default(),
+        }
+    }
+
+    /// Puts a body into the world, at the world's present time.
+    ///
+    /// # Errors
+    /// If its position or orientation is outside its domain, or if the world
+    /// holds 2³² − 1 bodies.
+    pub fn insert(&mut self, body: Body) -> Result<BodyId, BodyError> {
+        let body = body.checked()?;
+        let id = self
+            .slots
+            .next_id()
+            .ok_or(BodyError::TooManyBodies { max: Slots::MAX })?;
+        self.slots
+            .insert(id, Resident::new(body, self.time, &self.caster));
+        self.changed.push(id.slot);
+        Ok(id)
+    }
+
+    /// Takes a body out of the world. Its motion is the one it was given, from the beginning.
+    ///
+    /// # Errors
+    /// If there is no such body (any more).
+    pub fn remove(&mut self, id: BodyId) -> Result<Body, BodyError> {
+        let resident = self.slots.remove(id).ok_or(BodyError::UnknownBody { id })?;
+        self.changed.push(id.slot);
+        self.forget_touches(id.slot);
+        Ok(resident.body)
+    }
+
+    /// Gives a body another motion, from the world's present time on.
+    ///
+    /// # Errors
+    /// If there is no such body (any more).
+    pub fn set_motion(&mut self, id: BodyId, motion: Motion) -> Result<(), BodyError> {
+        let motion = motion.checked()?;
+        let time = self.time;
+        let resident = self
+            .slots
+            .get_mut(id)
+            .ok_or(BodyError::UnknownBody { id })?;
+        // In free flight a body's whole path is unknown before and after.
+        let keeps_pairs = resident.body.motion.is_free() && motion.is_free();
+        resident.body.motion = motion;
+        resident.since = time;
+        if !keeps_pairs {
+            self.changed.push(id.slot);
+        }
+        self.forget_touches(id.slot);
+        Ok(())
+    }
+
+    /// Lets a body fly on freely from where it is, with another velocity (in
+    /// metres per second).
+    ///
+    /// # Errors
+    /// If there is no such body (any more), or a component of the velocity is
+    /// not finite or beyond [`MAX_SPEED`](crate::tolerance::MAX_SPEED).
+    pub fn set_velocity(
+        &mut self,
+        id: BodyId,
+        velocity: impl Into<DVec3>,
+    ) -> Result<(), BodyError> {
+        let position = self.pose(id)?.position;
+        self.set_motion(id, Motion::free(position, velocity)?)
+    }
+
+    /// Where a body is now.
+    ///
+    /// # Errors
+    /// If there is no such body (any more).
+    pub fn pose(&self, id: BodyId) -> Result<Pose, BodyError> {
+        let resident = self.resident(id)?;
+        let position = resident
+            .body
+            .motion
+            .position_after(self.time - resident.since);
+        Ok(Pose::new(position, resident.body.orientation))
+    }
+
+    /// How fast a body moves now, and whereto, in metres per second.
+    ///
+    /// # Errors
+    /// If there is no such body (any more).
+    pub fn velocity(&self, id: BodyId) -> Result<DVec3, BodyError> {
+        let resident = self.resident(id)?;
+        Ok(resident
+            .body
+            .motion
+            .velocity_after(self.time - resident.since))
+    }
+
+    /// A body's shape.
+    ///
+    /// # Errors
+    /// If there is no such body (any more).
+    pub fn shape(&self, id: BodyId) -> Result<&Shape, BodyError> {
+        Ok(self.resident(id)?.body.shape())
+    }
+
+    fn resident(&self, id: BodyId) -> Result<&Resident, BodyError> {
+        self.slots.get(id).ok_or(BodyError::UnknownBody { id })
+    }
+
+    /// Whether the body is in the world.
+    #[must_use]
+    pub fn contains(&self, id: BodyId) -> bool {
+        self.slots.get(id).is_some()
+    }
+
+    /// How many bodies are in the world.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.slots.len()
+    }
+
+    /// Whether there are no bodies in the world.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// The ids of all bodies, in ascending order.
+    pub fn bodies(&self) -> impl Iterator<Item = BodyId> + '_ {
+        self.slots.iter().map(|(slot, _)| self.slots.id(slot))
+    }
+
+    /// The world's clock, in seconds since it was made.
+    #[must_use]
+    pub fn time(&self) -> f64 {
+        self.time
+    }
+
+    /// The settings the world was made with.
+    #[must_use]
+    pub fn config(&self) -> &WorldConfig {
+        &self.config
+    }
+
+    /// The contacts of the last step, sorted by time, then by ids.
+    #[must_use]
+    pub fn contacts(&self) -> &[Contact] {
+        &self.contacts
+    }
+
+    /// The contacts of the last step in which a body takes part.
+    pub fn contacts_of(&self, id: BodyId) -> impl Iterator<Item = &Contact> {
+        self.contacts
+            .iter()
+            .filter(move |contact| contact.a == id || contact.b == id)
+    }
+
+    /// What the last step did, and how long it took.
+    #[must_use]
+    pub fn stats(&self) -> &StepStats {
+        &self.stats
+    }
+
+    fn forget_touches(&mut self, slot: u32) {
+        self.touching.retain(|&(a, b)| a != slot && b != slot);
+    }
+}
+
+impl Resident {
+    pub(super) fn new(body: Body, since: f64, caster: &RayCaster) -> Self {
+        Self {
+            since,
+            centre_offset: body.orientation * body.shape.centre(),
+            reach: body.shape.max_dist(),
+            points: caster.surface_points(&body.shape),
+            frame: FrameMotion::new(&body.motion, 0.0, 1.0),
+            body,
+        }
+    }
+}

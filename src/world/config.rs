@@ -1,0 +1,41 @@
+//! Settings of a world.
+
+use crate::broad_phase::BroadPhase;
+use crate::error::ConfigError;
+use crate::narrow_phase::rays::RayConfig;
+
+/// Settings of a [`CollisionWorld`](crate::CollisionWorld).
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
+pub struct WorldConfig {
+    /// How two bodies are examined.
+    pub method: Method,
+    /// Which pairs of bodies are examined.
+    pub broad_phase: BroadPhase,
+}
+
+/// How two bodies are examined.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
+#[non_exhaustive]
+pub enum Method {
+    /// By rays from their surfaces, as the thesis does.
+    Rays(RayConfig),
+}
+
+impl Default for Method {
+    fn default() -> Self {
+        Self::Rays(RayConfig::default())
+    }
+}
+
+impl WorldConfig {
+    pub(crate) fn checked(self) -> Result<Self, ConfigError> {
+        let Method::Rays(rays) = self.method;
+        rays.checked()?;
+        self.broad_phase.checked()?;
+        Ok(self)
+    }
+}

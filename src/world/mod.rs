@@ -1,0 +1,21 @@
+//! The world: bodies in, contacts out.
+
+mod body;
+mod collision_world;
+mod config;
+mod contact;
+mod id;
+mod pair;
+mod slots;
+mod stats;
+mod step;
+mod volume;
+
+pub use body::Body;
+pub use collision_world::CollisionWorld;
+pub use config::{Method, WorldConfig};
+pub use contact::{Contact, ContactKind};
+pub use id::BodyId;
+pub use pair::{PairContact, first_contact};
+pub use stats::{PhaseTimes, StepStats};
+pub use step::Advance;

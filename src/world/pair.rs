@@ -1,0 +1,334 @@
+//! One pair of bodies in one frame.
+
+use crate::early_out;
+use crate::error::{FirstContactError, StepError};
+use crate::geometry::{Feature, Pose, Shape};
+use crate::math::domain;
+use crate::motion::{FrameMotion, Motion};
+use crate::narrow_phase::overlap::overlap;
+use crate::narrow_phase::rays::{Chords, Overlaps, RayCaster, Standing};
+use crate::tolerance::{MAX_TIME_STEP, MIN_TIME_STEP, touch_tolerance};
+use crate::world::slots::Resident;
+use crate::world::{Body, ContactKind, Method, WorldConfig};
+use glam::{DQuat, DVec3};
+
+/// A body as the narrow phase sees it.
+#[derive(Clone, Copy)]
+pub(crate) struct Mover<'a> {
+    shape: &'a Shape,
+    orientation: DQuat,
+    motion: &'a Motion,
+    frame: &'a FrameMotion,
+    centre_offset: DVec3,
+    reach: f64,
+    points: &'a [DVec3],
+}
+
+impl<'a> Mover<'a> {
+    pub(crate) fn new(resident: &'a Resident) -> Self {
+        Self {
+            shape: resident.body.shape(),
+            orientation: resident.body.orientation(),
+            motion: resident.body.motion(),
+            frame: &resident.frame,
+            centre_offset: resident.centre_offset,
+            reach: resident.reach,
+            points: &resident.points,
+        }
+    }
+
+    fn pose_at(&self, fraction: f64) -> Pose {
+        Pose::new(
+            self.frame.position_at(self.motion, fraction),
+            self.orientation,
+        )
+    }
+
+    fn displacement(&self, from: f64, to: f64) -> DVec3 {
+        self.frame.displacement_between(self.motion, from, to)
+    }
+
+    fn deviation(&self, chord: DVec3, from: f64, to: f64) -> f64 {
+        self.frame.deviation_from(self.motion, chord, from, to)
+    }
+}
+
+/// A contact of a pair, before it is known which bodies these are in a world.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PairContact {
+    /// When, as a share of the frame or horizon, in `0..=1`.
+    pub fraction: f64,
+    /// Where, in metres, with both bodies where they are at that time.
+    pub point: DVec3,
+    /// Unit normal, out of the second body towards the first.
+    pub normal: DVec3,
+    /// The parts that touch: of the first body, of the second.
+    pub features: [Feature; 2],
+    /// How it came about.
+    pub kind: ContactKind,
+}
+
+/// A contact, and whether it is news.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Finding {
+    pub(crate) contact: PairContact,
+    /// Whether the bodies touched already as the frame began.
+    pub(crate) resting: bool,
+}
+
+impl From<PairContact> for Finding {
+    fn from(contact: PairContact) -> Self {
+        Self {
+            contact,
+            resting: false,
+        }
+    }
+}
+
+/// What it took to find out.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct PairEffort {
+    pub(crate) stretches: usize,
+    pub(crate) rays: u64,
+}
+
+/// Whether an early-out test shows that the pair cannot touch in the frame.
+pub(crate) fn reject(a: &Resident, b: &Resident) -> Option<early_out::Rejection> {
+    let between = b.frame.start - a.frame.start + (b.centre_offset - a.centre_offset);
+    let motion = a.frame.displacement - b.frame.displacement;
+    let reach = a.reach + b.reach + a.frame.deviation + b.frame.deviation;
+    early_out::reject(between, motion, reach)
+}
+
+/// First contact of a pair in the frame.
+pub(crate) fn examine(
+    caster: &mut RayCaster,
+    a: &Mover<'_>,
+    b: &Mover<'_>,
+    effort: &mut PairEffort,
+) -> Option<Finding> {
+    let mut pair = Pair {
+        a,
+        b,
+        caster,
+        effort,
+    };
+    if pair.caster.config().overlaps == Overlaps::Report
+        && let Some(contact) = pair.overlap_at(0.0)
+    {
+        return Some(contact.into());
+    }
+    // Where a path ends, its body stops; between such moments motions are smooth.
+    let mut ends = [a.frame.rests_from, b.frame.rests_from].map(|end| end.clamp(0.0, 1.0));
+    ends.sort_by(f64::total_cmp);
+    let mut from = 0.0;
+    for to in [ends[0], ends[1], 1.0] {
+        if to > from {
+            if let Some(finding) = pair.examine_smooth(from, to) {
+                return Some(finding);
+            }
+            from = to;
+        }
+    }
+    None
+}
+
+struct Pair<'a> {
+    a: &'a Mover<'a>,
+    b: &'a Mover<'a>,
+    caster: &'a mut RayCaster,
+    effort: &'a mut PairEffort,
+}
+
+impl Pair<'_> {
+    fn reach(&self) -> f64 {
+        self.a.reach + self.b.reach
+    }
+
+    /// From the first bounding centre to the second.
+    fn between(&self, fraction: f64) -> DVec3 {
+        let position = |mover: &Mover<'_>| mover.frame.position_at(mover.motion, fraction);
+        position(self.b) - position(self.a) + (self.b.centre_offset - self.a.centre_offset)
+    }
+
+    /// The pair as overlapping at `fraction`, if it is.
+    fn overlap_at(&self, fraction: f64) -> Option<PairContact> {
+        if self.between(fraction).length_squared() >= self.reach() * self.reach() {
+            return None;
+        }
+        let (pose_a, pose_b) = (self.a.pose_at(fraction), self.b.pose_at(fraction));
+        let found = overlap(self.a.shape, &pose_a, self.b.shape, &pose_b)?;
+        Some(PairContact {
+            fraction,
+            point: found.point,
+            normal: found.direction,
+            features: [found.feature_a, found.feature_b],
+            kind: ContactKind::Overlap { depth: found.depth },
+        })
+    }
+
+    /// A stretch without the end of a path inside: by the thesis's rule either
+    /// one chord, or subdivided into several, on both bodies alike.
+    fn examine_smooth(&mut self, from: f64, to: f64) -> Option<Finding> {
+        let config = *self.caster.config();
+        let turns = |mover: &Mover<'_>| {
+            mover.frame.curved
+                && mover.frame.turn_between(mover.motion, from, to) > config.curve_angle
+        };
+        let pieces = if turns(self.a) || turns(self.b) {
+            config.curve_points + 1
+        } else {
+            1
+        };
+        let at = |piece: u32| {
+            if piece == pieces {
+                to
+            } else {
+                from + f64::from(piece) / f64::from(pieces) * (to - from)
+            }
+        };
+        (0..pieces).find_map(|piece| self.examine_stretch(at(piece), at(piece + 1)))
+    }
+
+    /// A stretch along chords, halved until these follow the curves closely enough.
+    fn examine_stretch(&mut self, from: f64, to: f64) -> Option<Finding> {
+        let between = self.between(from);
+        let motions = [self.a.displacement(from, to), self.b.displacement(from, to)];
+        let motion = motions[0] - motions[1];
+        let deviation =
+            self.a.deviation(motions[0], from, to) + self.b.deviation(motions[1], from, to);
+        if early_out::reject(between, motion, self.reach() + deviation).is_some() {
+            return None;
+        }
+        if let Chords::Within(share) = self.caster.config().chords
+            && deviation > share * self.reach()
+        {
+            let middle = 0.5 * (from + to);
+            if from < middle && middle < to {
+                return self
+                    .examine_stretch(from, middle)
+                    .or_else(|| self.examine_stretch(middle, to));
+            }
+        }
+        self.effort.stretches += 1;
+        // Rays that missed the touch on an earlier stretch leave the bodies in each other.
+        if from > 0.0
+            && self.caster.config().overlaps == Overlaps::Report
+            && let Some(contact) = self.overlap_at(from)
+        {
+            return Some(
+                PairContact {
+                    kind: ContactKind::Touch,
+                    ..contact
+                }
+                .into(),
+            );
+        }
+        self.cast(from, to, between, motions)
+    }
+
+    /// The shortest ray along the chords of one stretch.
+    fn cast(
+        &mut self,
+        from: f64,
+        to: f64,
+        between: DVec3,
+        [motion_a, motion_b]: [DVec3; 2],
+    ) -> Option<Finding> {
+        let (pose_a, pose_b) = (self.a.pose_at(from), self.b.pose_at(from));
+        let standing = (
+            Standing {
+                shape: self.a.shape,
+                pose: &pose_a,
+                points: self.a.points,
+            },
+            Standing {
+                shape: self.b.shape,
+                pose: &pose_b,
+                points: self.b.points,
+            },
+        );
+        let motion = motion_a - motion_b;
+        let coordinate = pose_a
+            .position
+            .abs()
+            .max(pose_b.position.abs())
+            .max_element();
+        let touch = touch_tolerance(self.reach(), coordinate);
+        let found =
+            self.caster
+                .shortest_ray(standing, between, motion, touch, &mut self.effort.rays)?;
+        // Bodies that touch as the stretch begins and part, or slide along each
+        // other, make no contact. NaN compares false and makes none either.
+        let length = motion.length();
+        let closing = -motion.dot(found.normal);
+        let touching = found.fraction * length <= touch;
+        if touching && !(closing > 1e-9 * length) {
+            return None;
+        }
+        let centre = pose_a.position + self.a.centre_offset;
+        let contact = PairContact {
+            fraction: from + found.fraction * (to - from),
+            point: centre + (found.offset + found.fraction * motion_b),
+            normal: found.normal,
+            features: found.features,
+            kind: ContactKind::Touch,
+        };
+        Some(Finding {
+            contact,
+            resting: touching && from <= 0.0,
+        })
+    }
+}
+
+/// First contact of two bodies within `horizon` seconds, without a world.
+///
+/// `a` is the first body whatever moves: the normal leads out of `b` towards
+/// `a`, and where only one body sends rays it is `a`. Fractions count in
+/// horizons. Both motions begin at once.
+///
+/// # Errors
+/// As [`CollisionWorld::insert`](crate::CollisionWorld::insert),
+/// [`CollisionWorld::new`](crate::CollisionWorld::new) and
+/// [`CollisionWorld::step`](crate::CollisionWorld::step) for bodies, method and
+/// horizon.
+///
+/// ```
+/// use feeler::{Body, FirstContactError, Method, Motion, Sphere, first_contact};
+///
+/// let ball = Body::moving(Sphere::new(1.0)?, Motion::free([3.0, 0.0, 0.0], [-1.0, 0.0, 0.0])?);
+/// let target = Body::fixed(Sphere::new(1.0)?, [0.0, 0.0, 0.0]);
+/// let contact = first_contact(&ball, &target, 2.0, &Method::default())?;
+/// assert_eq!(contact.map(|contact| contact.fraction), Some(0.5));
+///
+/// let never = first_contact(&ball, &target, -1.0, &Method::default());
+/// assert!(matches!(never, Err(FirstContactError::Step(_))));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn first_contact(
+    a: &Body,
+    b: &Body,
+    horizon: f64,
+    method: &Method,
+) -> Result<Option<PairContact>, FirstContactError> {
+    let config = WorldConfig {
+        method: *method,
+        ..WorldConfig::default()
+    }
+    .checked()?;
+    let Method::Rays(rays) = config.method;
+    let mut caster = RayCaster::new(rays);
+    domain::within("horizon", horizon, MIN_TIME_STEP, MAX_TIME_STEP).map_err(StepError::from)?;
+    let resident = |body: &Body| -> Result<Resident, FirstContactError> {
+        let mut resident = Resident::new(body.clone().checked()?, 0.0, &caster);
+        resident.frame = FrameMotion::new(resident.body.motion(), 0.0, horizon);
+        Ok(resident)
+    };
+    let (a, b) = (resident(a)?, resident(b)?);
+    if reject(&a, &b).is_some() {
+        return Ok(None);
+    }
+    let mut effort = PairEffort::default();
+    let finding = examine(&mut caster, &Mover::new(&a), &Mover::new(&b), &mut effort);
+    Ok(finding.map(|finding| finding.contact))
+}
