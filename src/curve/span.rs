@@ -18,6 +18,13 @@ const SPAN_ERROR: f64 = 1e-15;
 /// every halving: 25 halvings reach rounding.
 const MAX_HALVINGS: u32 = 40;
 
+/// Share of the greatest speed below which a least speed gets a cut.
+///
+/// The second derivative is at most four times the greatest speed, so where the
+/// least speed is more than a quarter of it the kink is rounded over a sixteenth of the
+/// parameter's range, and nodes see it. Larger cuts more; smaller risks a miss.
+const SLOW: f64 = 0.25;
+
 /// A span whose mean speed is over this many times the speeds at both of its
 /// ends is halved, so that the inverse has one difficult end at most.
 const STEEP: f64 = 3.0;
@@ -134,30 +141,28 @@ impl Span {
 /// `velocity` are the control points of the cubic's derivative.
 ///
 /// A span is good when the rule over the whole of it agrees with the rule over
-/// its halves. Where the speed has a kink (a cusp) or nearly so, halving closes in on
-/// it by a factor of two a time, so the curve is first cut where it is slowest:
-/// beside a cusp that lies on a cut the speed is smooth.
+/// its halves. That test alone would not do: where the curve halts (a cusp), or all
+/// but halts, its speed has a kink, and a kink between a span's end and its first
+/// node is seen by neither rule. So the curve is first cut wherever it is slow and
+/// slowest; beside a cusp that lies on a cut the speed is smooth.
 pub(crate) fn subdivide(velocity: &[DVec3; 3], range: Range<f64>, mut emit: impl FnMut(Span)) {
+    let width = range.end - range.start;
+    if width <= 0.0 {
+        return;
+    }
     let size = velocity.iter().map(|v| v.length()).fold(0.0, f64::max);
     let mut cutter = Cutter {
         velocity,
         error: SPAN_ERROR * size,
         emit: &mut emit,
     };
-    let width = range.end - range.start;
-    if width <= 0.0 {
-        return;
-    }
     let whole = Hodograph::over(velocity, range.start, width);
-    let length = whole.length_to(1.0);
-    if cutter
-        .try_emit(range.start, width, &whole, length)
-        .is_none()
-    {
-        return;
-    }
+    let slow = SLOW * width * size;
+    let cuts = whole
+        .slowest()
+        .filter(|x| whole.velocity(*x).length() < slow)
+        .map(|x| range.start + x * width);
     let mut start = range.start;
-    let cuts = whole.slowest().map(|x| range.start + x * width);
     for end in cuts.chain(std::iter::once(range.end)) {
         // Cuts at the very ends cut nothing.
         if end > start {
@@ -177,34 +182,19 @@ struct Cutter<'a, Emit> {
 impl<Emit: FnMut(Span)> Cutter<'_, Emit> {
     fn cut(&mut self, start: f64, width: f64, length: f64, halvings: u32) {
         let hodograph = Hodograph::over(self.velocity, start, width);
-        if halvings == 0 {
-            (self.emit)(Span::new(start, width, &hodograph, length));
-        } else if let Some([left, right]) = self.try_emit(start, width, &hodograph, length) {
-            let half = 0.5 * width;
-            self.cut(start, half, left, halvings - 1);
-            self.cut(start + half, half, right, halvings - 1);
-        }
-    }
-
-    /// Hands the span over if it is good; otherwise the lengths of its halves.
-    fn try_emit(
-        &mut self,
-        start: f64,
-        width: f64,
-        hodograph: &Hodograph,
-        length: f64,
-    ) -> Option<[f64; 2]> {
         let half = 0.5 * width;
         let left = hodograph.length_to(0.5);
         let right = Hodograph::over(self.velocity, start + half, half).length_to(1.0);
-        let span = Span::new(start, width, hodograph, length);
+        let span = Span::new(start, width, &hodograph, length);
         let steep = span.slopes.iter().all(|slope| *slope > STEEP);
-        // A span shorter than its error may be as steep as it likes.
-        let good = (length - (left + right)).abs() <= self.error && !(steep && length > self.error);
-        if good {
+        let good = (length - (left + right)).abs() <= self.error
+            // A span shorter than its error may be as steep as it likes.
+            && !(steep && length > self.error);
+        if good || halvings == 0 {
             (self.emit)(span);
-            return None;
+        } else {
+            self.cut(start, half, left, halvings - 1);
+            self.cut(start + half, half, right, halvings - 1);
         }
-        Some([left, right])
     }
 }
