@@ -1,4 +1,5 @@
 //! Scalar numerics that know no shapes.
 
 pub(crate) mod domain;
+pub(crate) mod exact;
 pub(crate) mod frame;

@@ -1,0 +1,34 @@
+//! Rays against any shape.
+
+use super::{RayCast, RayHit, RaySpan};
+use crate::geometry::{Ray, Shape};
+use glam::DVec3;
+
+impl RayCast for Shape {
+    fn line_span(&self, ray: &Ray) -> Option<RaySpan> {
+        match self {
+            Self::Sphere(sphere) => sphere.line_span(ray),
+            Self::Cuboid(cuboid) => cuboid.line_span(ray),
+            Self::Triangle(triangle) => triangle.line_span(ray),
+            Self::Polytope(polytope) => polytope.line_span(ray),
+        }
+    }
+
+    fn contains_point(&self, point: DVec3) -> bool {
+        match self {
+            Self::Sphere(sphere) => sphere.contains_point(point),
+            Self::Cuboid(cuboid) => cuboid.contains_point(point),
+            Self::Triangle(triangle) => triangle.contains_point(point),
+            Self::Polytope(polytope) => polytope.contains_point(point),
+        }
+    }
+
+    fn first_hit(&self, ray: &Ray) -> Option<RayHit> {
+        match self {
+            Self::Sphere(sphere) => sphere.first_hit(ray),
+            Self::Cuboid(cuboid) => cuboid.first_hit(ray),
+            Self::Triangle(triangle) => triangle.first_hit(ray),
+            Self::Polytope(polytope) => polytope.first_hit(ray),
+        }
+    }
+}
