@@ -106,11 +106,11 @@ pub trait RayCast {
             return self.contains_point(ray.origin).then_some(RayHit::Inside);
         }
         let span = self.line_span(ray)?;
-        if span.ends_near_origin(ray) {
-            // Rounding must not carry the origin through the surface.
-            span.first_hit_at_surface(self.contains_point(ray.origin))
-        } else {
+        if span.is_clear_of_origin(ray) && !span.holds_origin() {
             span.first_hit()
+        } else {
+            // Neither rounding nor a graze may carry the origin through the surface.
+            span.first_hit_from(self.contains_point(ray.origin))
         }
     }
 

@@ -2,7 +2,7 @@
 
 use super::clip::{self, Plane};
 use super::line::Line;
-use super::{GRAZE, RayCast, RaySpan};
+use super::{GRAZE, RayCast, RayHit, RaySpan};
 use crate::geometry::{Feature, Polytope, Ray};
 use glam::DVec3;
 
@@ -12,6 +12,18 @@ impl RayCast for Polytope {
         let line = Line::of(ray)?;
         let growth = GRAZE * (line.distance() + self.size());
         clip::span(&line, self.planes(), growth, Feature::Face)
+    }
+
+    fn first_hit(&self, ray: &Ray) -> Option<RayHit> {
+        if ray.direction == DVec3::ZERO {
+            return self.contains_point(ray.origin).then_some(RayHit::Inside);
+        }
+        let span = self.line_span(ray)?;
+        if span.is_clear_of_origin(ray) {
+            span.first_hit()
+        } else {
+            span.first_hit_from(self.contains_point(ray.origin))
+        }
     }
 
     fn contains_point(&self, point: DVec3) -> bool {

@@ -46,16 +46,22 @@ impl RaySpan {
         finite.then_some(Self { enter, leave })
     }
 
-    /// Whether one end is as near to the ray's origin as rounding could tell.
+    /// Whether both ends are further from the ray's origin than rounding could amount to.
     #[inline]
-    pub(super) fn ends_near_origin(&self, ray: &Ray) -> bool {
+    pub(super) fn is_clear_of_origin(&self, ray: &Ray) -> bool {
         let (enter, leave) = (self.enter.fraction.abs(), self.leave.fraction.abs());
         let speed = ray.direction.abs().max_element();
         let scale = ray.origin.abs().max_element() + speed * enter.max(leave);
-        speed * enter.min(leave) <= 4.0 * GRAZE * scale
+        speed * enter.min(leave) > 4.0 * GRAZE * scale
     }
 
-    /// What the ray meets first, if no end of the span is near its origin.
+    /// Whether the line's origin lies between the ends.
+    #[inline]
+    pub(super) fn holds_origin(&self) -> bool {
+        self.enter.fraction <= 0.0 && self.leave.fraction >= 0.0
+    }
+
+    /// What the ray meets first, by the signs of the fractions alone.
     #[inline]
     pub(super) fn first_hit(&self) -> Option<RayHit> {
         if self.enter.fraction > 0.0 {
@@ -67,14 +73,13 @@ impl RaySpan {
         }
     }
 
-    /// What a ray meets first that starts in a solid's surface (`contained`), or
-    /// outside and very near it.
-    #[cold]
-    pub(super) fn first_hit_at_surface(&self, contained: bool) -> Option<RayHit> {
+    /// What a ray meets first whose origin is in the solid (`contained`), or not though
+    /// the fractions may say so.
+    pub(super) fn first_hit_from(&self, contained: bool) -> Option<RayHit> {
         let (enter, leave) = (self.enter.fraction, self.leave.fraction);
         if contained {
             Some(RayHit::Inside)
-        } else if leave < 0.0 || leave.abs() < enter.abs() {
+        } else if leave < 0.0 || leave < 1e-9 * -enter {
             // On its way out.
             None
         } else {

@@ -1,0 +1,1 @@
+//! Polytopes, once hulls can be built.
