@@ -46,6 +46,7 @@ mod slabs;
 mod span;
 mod sphere;
 mod triangle;
+mod walk;
 
 pub use hit::RayHit;
 pub use line::MAX_ORIGIN;
@@ -105,13 +106,8 @@ pub trait RayCast {
         if ray.direction == DVec3::ZERO {
             return self.contains_point(ray.origin).then_some(RayHit::Inside);
         }
-        let span = self.line_span(ray)?;
-        if span.is_clear_of_origin(ray) && !span.holds_origin() {
-            span.first_hit()
-        } else {
-            // Neither rounding nor a graze may carry the origin through the surface.
-            span.first_hit_from(self.contains_point(ray.origin))
-        }
+        self.line_span(ray)?
+            .first_hit(ray, || self.contains_point(ray.origin))
     }
 
     /// [`line_span`](Self::line_span) of the solid standing at `pose`.
