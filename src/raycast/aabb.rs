@@ -10,7 +10,8 @@ use glam::DVec3;
 impl RayCast for Aabb {
     #[inline]
     fn line_span(&self, ray: &Ray) -> Option<RaySpan> {
-        slabs::span(&Line::of(ray)?, self.min, self.max, &DVec3::AXES)
+        let line = Line::of(ray)?;
+        slabs::span(&line, self.min, self.max, &DVec3::AXES, line.distance())
     }
 
     #[inline]

@@ -74,16 +74,12 @@ pub(super) fn span(
     let point = |crossing: Crossing, inwards: bool| {
         let (number, plane) = lowest(line, planes.clone(), crossing, inwards, growth)?;
         Some(SurfacePoint {
-            fraction: refined(line, plane, enter.fraction, leave.fraction),
+            fraction: line.ray_fraction(refined(line, plane, enter.fraction, leave.fraction)),
             normal: plane.normal,
             feature: feature(number as u32),
         })
     };
-    let (mut enter, mut leave) = (point(enter, true)?, point(leave, false)?);
-    // Where the line grazes an edge the two may have changed places.
-    leave.fraction = line.ray_fraction(leave.fraction.max(enter.fraction));
-    enter.fraction = line.ray_fraction(enter.fraction);
-    RaySpan::new(enter, leave)
+    RaySpan::ordered(point(enter, true)?, point(leave, false)?)
 }
 
 /// The lowest-numbered plane through the point of `crossing`, among those that
@@ -106,7 +102,7 @@ fn lowest(
 
 /// The fraction at which `line` crosses `plane` itself, not its grown copy, kept
 /// within `low..=high`: for a line almost in the plane it may be any number.
-fn refined(line: &Line, plane: Plane, low: f64, high: f64) -> f64 {
+pub(super) fn refined(line: &Line, plane: Plane, low: f64, high: f64) -> f64 {
     let room = plane.offset - plane.normal.dot(line.origin);
     let fraction = room / plane.normal.dot(line.direction);
     // `max` and `min` pass over NaN.

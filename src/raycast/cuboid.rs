@@ -10,7 +10,8 @@ impl RayCast for Cuboid {
     #[inline]
     fn line_span(&self, ray: &Ray) -> Option<RaySpan> {
         let half = self.half_extents();
-        slabs::span(&Line::of(ray)?, -half, half, &DVec3::AXES)
+        let line = Line::of(ray)?;
+        slabs::span(&line, -half, half, &DVec3::AXES, line.distance())
     }
 
     #[inline]

@@ -46,6 +46,7 @@ mod slabs;
 mod span;
 mod sphere;
 mod triangle;
+mod walk;
 
 pub use hit::RayHit;
 pub use line::MAX_ORIGIN;
@@ -105,13 +106,8 @@ pub trait RayCast {
         if ray.direction == DVec3::ZERO {
             return self.contains_point(ray.origin).then_some(RayHit::Inside);
         }
-        let span = self.line_span(ray)?;
-        if span.ends_near_origin(ray) {
-            // Rounding must not carry the origin through the surface.
-            span.first_hit_at_surface(self.contains_point(ray.origin))
-        } else {
-            span.first_hit()
-        }
+        self.line_span(ray)?
+            .first_hit(ray, || self.contains_point(ray.origin))
     }
 
     /// [`line_span`](Self::line_span) of the solid standing at `pose`.

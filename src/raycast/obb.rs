@@ -15,7 +15,8 @@ impl RayCast for Obb {
             direction: self.components(ray.direction),
         };
         let half = self.half_extents;
-        slabs::span(&Line::of(&local)?, -half, half, &self.axes)
+        let far = self.centre.abs().max_element() + ray.origin.abs().max_element();
+        slabs::span(&Line::of(&local)?, -half, half, &self.axes, far)
     }
 
     #[inline]

@@ -2,35 +2,98 @@
 
 use super::clip::{self, Plane};
 use super::line::Line;
-use super::{GRAZE, RayCast, RaySpan};
+use super::{GRAZE, RayCast, RayHit, RaySpan, SurfacePoint, walk};
 use crate::geometry::{Feature, Polytope, Ray};
 use glam::DVec3;
 
-/// Clips the line by the planes of all faces. O(faces).
+/// From neighbour to neighbour towards the face the line enters by: two or three
+/// faces as a rule, O(√faces) of them where the polytope is nowhere near
+/// its bounding box. At edges and corners, where the lowest face is sought,
+/// O(faces).
 impl RayCast for Polytope {
     fn line_span(&self, ray: &Ray) -> Option<RaySpan> {
         let line = Line::of(ray)?;
-        let growth = GRAZE * (line.distance() + self.size());
-        clip::span(&line, self.planes(), growth, Feature::Face)
+        let growth = growth(self, &line);
+        let (in_gate, out_gate) = walk::gates(self, &line, growth)?;
+        let enter = walk::enter(self, &line, &in_gate, growth)?;
+        let leave = walk::leave(self, &line, &out_gate, growth);
+        let Some(leave) = leave.filter(|leave| {
+            let tied = leave.tied || enter.tied;
+            !tied && enter.fraction <= leave.fraction
+        }) else {
+            return clip::span(&line, planes(self), growth, Feature::Face);
+        };
+        let point = |face: u32| {
+            let plane = plane(self, face);
+            let fraction = clip::refined(&line, plane, enter.fraction, leave.fraction);
+            surface_point(&line, fraction, face, plane)
+        };
+        RaySpan::ordered(point(enter.face), point(leave.face))
+    }
+
+    fn first_hit(&self, ray: &Ray) -> Option<RayHit> {
+        let Some(line) = Line::of(ray) else {
+            let is_point = ray.direction == DVec3::ZERO;
+            return (is_point && self.contains_point(ray.origin)).then_some(RayHit::Inside);
+        };
+        let size = size(self);
+        let growth = GRAZE * (line.distance() + size);
+        let (in_gate, out_gate) = walk::gates(self, &line, growth)?;
+        if out_gate.fraction < 0.0 {
+            return None;
+        }
+        let enter = walk::enter(self, &line, &in_gate, growth)?;
+        let plane = plane(self, enter.face);
+        let fraction = clip::refined(&line, plane, enter.fraction, f64::INFINITY);
+        // The plain case: one face, met from outside, at no grazing angle.
+        let speed = line.direction.abs().max_element();
+        let plain = !enter.tied
+            && speed * enter.fraction > 16.0 * growth
+            && speed * (fraction - enter.fraction) < 1e-9 * size;
+        if plain {
+            let point = surface_point(&line, fraction, enter.face, plane);
+            return point.fraction.is_finite().then_some(RayHit::Surface(point));
+        }
+        self.line_span(ray)?
+            .first_hit(ray, || self.contains_point(ray.origin))
     }
 
     fn contains_point(&self, point: DVec3) -> bool {
-        // NaN compares false.
-        self.planes()
-            .all(|plane| plane.normal.dot(point) <= plane.offset)
+        let by_planes = || planes(self).all(|plane| plane.normal.dot(point) <= plane.offset);
+        point.is_finite() && self.face_map().holds(self, point).unwrap_or_else(by_planes)
     }
 }
 
-impl Polytope {
-    fn planes(&self) -> impl Iterator<Item = Plane> + Clone {
-        self.face_normals()
-            .iter()
-            .zip(self.face_offsets())
-            .map(|(&normal, &offset)| Plane { normal, offset })
-    }
+fn planes(polytope: &Polytope) -> impl Iterator<Item = Plane> + Clone {
+    (polytope.face_normals().iter())
+        .zip(polytope.face_offsets())
+        .map(|(&normal, &offset)| Plane { normal, offset })
+}
 
-    /// A bound on the coordinates of the surface.
-    fn size(&self) -> f64 {
-        self.centre().abs().max_element() + self.max_dist()
+#[inline]
+fn plane(polytope: &Polytope, face: u32) -> Plane {
+    Plane {
+        normal: polytope.face_normals()[face as usize],
+        offset: polytope.face_offsets()[face as usize],
     }
+}
+
+#[inline]
+fn surface_point(line: &Line, fraction: f64, face: u32, plane: Plane) -> SurfacePoint {
+    SurfacePoint {
+        fraction: line.ray_fraction(fraction),
+        normal: plane.normal,
+        feature: Feature::Face(face),
+    }
+}
+
+/// A bound on the coordinates of the surface.
+#[inline]
+fn size(polytope: &Polytope) -> f64 {
+    polytope.centre().abs().max_element() + polytope.max_dist()
+}
+
+#[inline]
+fn growth(polytope: &Polytope, line: &Line) -> f64 {
+    GRAZE * (line.distance() + size(polytope))
 }

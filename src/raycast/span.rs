@@ -46,35 +46,29 @@ impl RaySpan {
         finite.then_some(Self { enter, leave })
     }
 
-    /// Whether one end is as near to the ray's origin as rounding could tell.
-    #[inline]
-    pub(super) fn ends_near_origin(&self, ray: &Ray) -> bool {
-        let (enter, leave) = (self.enter.fraction.abs(), self.leave.fraction.abs());
-        let speed = ray.direction.abs().max_element();
-        let scale = ray.origin.abs().max_element() + speed * enter.max(leave);
-        speed * enter.min(leave) <= 4.0 * GRAZE * scale
+    /// As [`new`](Self::new), for ends that rounding may have made change places.
+    pub(super) fn ordered(enter: SurfacePoint, leave: SurfacePoint) -> Option<Self> {
+        let fraction = leave.fraction.max(enter.fraction);
+        Self::new(enter, SurfacePoint { fraction, ..leave })
     }
 
-    /// What the ray meets first, if no end of the span is near its origin.
+    /// What the ray meets first.
+    ///
+    /// Where the origin lies between the ends or within rounding of one, `contained` has the last
+    /// word: neither rounding nor a graze may carry the origin through the surface.
     #[inline]
-    pub(super) fn first_hit(&self) -> Option<RayHit> {
-        if self.enter.fraction > 0.0 {
-            Some(RayHit::Surface(self.enter))
-        } else if self.leave.fraction >= 0.0 {
-            Some(RayHit::Inside)
-        } else {
-            None
-        }
-    }
-
-    /// What a ray meets first that starts in a solid's surface (`contained`), or
-    /// outside and very near it.
-    #[cold]
-    pub(super) fn first_hit_at_surface(&self, contained: bool) -> Option<RayHit> {
+    pub(super) fn first_hit(&self, ray: &Ray, contained: impl Fn() -> bool) -> Option<RayHit> {
         let (enter, leave) = (self.enter.fraction, self.leave.fraction);
-        if contained {
+        let speed = ray.direction.abs().max_element();
+        let scale = ray.origin.abs().max_element() + speed * enter.abs().max(leave.abs());
+        let at_surface = speed * enter.abs().min(leave.abs()) <= 4.0 * GRAZE * scale;
+        if !at_surface && enter > 0.0 {
+            Some(RayHit::Surface(self.enter))
+        } else if !at_surface && leave < 0.0 {
+            None
+        } else if contained() {
             Some(RayHit::Inside)
-        } else if leave < 0.0 || leave.abs() < enter.abs() {
+        } else if leave < 0.0 || leave < 1e-9 * -enter {
             // On its way out.
             None
         } else {

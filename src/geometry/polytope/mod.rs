@@ -1,6 +1,7 @@
 //! Convex polytopes.
 
 mod bounding_sphere;
+mod face_map;
 mod faces;
 mod hull;
 mod orient;
@@ -12,6 +13,7 @@ use crate::error::ShapeError;
 use crate::math::domain;
 use crate::tolerance::MAX_LENGTH;
 use bounding_sphere::bounding_sphere;
+use face_map::FaceMap;
 use glam::DVec3;
 use hull::{Hull, convex_hull};
 use topology::Lists;
@@ -49,6 +51,7 @@ pub struct Polytope {
     offsets: Vec<f64>,
     rims: Lists,
     vertex_neighbours: Lists,
+    face_map: FaceMap,
     centre: DVec3,
     max_dist: f64,
 }
@@ -108,6 +111,7 @@ impl Polytope {
             normals: faces.normals,
             offsets: Vec::new(),
             rims: faces.rims,
+            face_map: FaceMap::default(),
             centre,
             max_dist,
         };
@@ -118,6 +122,7 @@ impl Polytope {
                     .fold(f64::NEG_INFINITY, f64::max)
             })
             .collect();
+        polytope.face_map = FaceMap::of(&polytope);
         polytope
     }
 
@@ -176,6 +181,11 @@ impl Polytope {
     #[must_use]
     pub fn max_dist(&self) -> f64 {
         self.max_dist
+    }
+
+    /// The faces by place and neighbourhood.
+    pub(crate) fn face_map(&self) -> &FaceMap {
+        &self.face_map
     }
 
     /// The vertices a triangle's edge away from `vertex`.

@@ -1,0 +1,156 @@
+//! The way over a polytope's faces to the one that a line enters by.
+//!
+//! Each face that looks towards the ray crosses the line at some fraction; the
+//! line enters the polytope at the largest. Finding it is a linear programme
+//! over the corners of the dual polytope, and those are the faces: as long as a face's
+//! crossing is not the largest, one of its neighbours has a larger one, or is
+//! a face that the line has left by before, in which case it misses. So it
+//! suffices to step from neighbour to neighbour, and the face map starts the
+//! walk nearby.
+
+use super::line::Line;
+use crate::geometry::Polytope;
+use glam::DVec3;
+
+/// Where a line comes into or goes out of the box around a polytope.
+pub(super) struct Gate {
+    pub(super) fraction: f64,
+    side: usize,
+}
+
+/// Where a line crosses the plane of the face it enters or leaves by.
+pub(super) struct Crossing {
+    pub(super) fraction: f64,
+    pub(super) face: u32,
+    /// A neighbouring face passes within rounding of the same point.
+    pub(super) tied: bool,
+}
+
+/// The piece of `line` in the polytope's bounding box grown by `growth`.
+#[inline]
+pub(super) fn gates(polytope: &Polytope, line: &Line, growth: f64) -> Option<(Gate, Gate)> {
+    let bounds = polytope.face_map().bounds();
+    let mut enter = Gate {
+        fraction: f64::NEG_INFINITY,
+        side: 0,
+    };
+    let mut leave = Gate {
+        fraction: f64::INFINITY,
+        side: 0,
+    };
+    for axis in 0..3 {
+        let (origin, direction) = (line.origin[axis], line.direction[axis]);
+        let low = bounds.min[axis] - growth - origin;
+        let high = bounds.max[axis] + growth - origin;
+        if direction == 0.0 {
+            if low > 0.0 || high < 0.0 {
+                return None;
+            }
+            continue;
+        }
+        let (near, far, side) = if direction > 0.0 {
+            (low / direction, high / direction, 2 * axis)
+        } else {
+            (high / direction, low / direction, 2 * axis + 1)
+        };
+        if near > enter.fraction {
+            enter = Gate {
+                fraction: near,
+                side,
+            };
+        }
+        if far < leave.fraction {
+            leave = Gate {
+                fraction: far,
+                side: side ^ 1,
+            };
+        }
+    }
+    (enter.fraction <= leave.fraction).then_some((enter, leave))
+}
+
+/// Where `line` enters the polytope whose planes are moved out by `growth`, if it does.
+#[inline]
+pub(super) fn enter(
+    polytope: &Polytope,
+    line: &Line,
+    gate: &Gate,
+    growth: f64,
+) -> Option<Crossing> {
+    first(polytope, line.origin, line.direction, gate, growth)
+}
+
+/// Where it leaves: where the reversed line enters.
+#[inline]
+pub(super) fn leave(
+    polytope: &Polytope,
+    line: &Line,
+    gate: &Gate,
+    growth: f64,
+) -> Option<Crossing> {
+    let gate = Gate {
+        fraction: -gate.fraction,
+        side: gate.side,
+    };
+    let crossing = first(polytope, line.origin, -line.direction, &gate, growth)?;
+    Some(Crossing {
+        fraction: -crossing.fraction,
+        ..crossing
+    })
+}
+
+#[inline]
+fn first(
+    polytope: &Polytope,
+    origin: DVec3,
+    direction: DVec3,
+    gate: &Gate,
+    growth: f64,
+) -> Option<Crossing> {
+    let (normals, offsets) = (polytope.face_normals(), polytope.face_offsets());
+    let map = polytope.face_map();
+    // How fast the line nears the face's grown plane (negative), and its room before it.
+    let approach = |face: u32| {
+        let normal = normals[face as usize];
+        let room = offsets[face as usize] + growth - normal.dot(origin);
+        (normal.dot(direction), room)
+    };
+    let mut face = map.near(gate.side, origin + gate.fraction * direction);
+    let (mut rate, mut room) = approach(face);
+    if rate >= 0.0 {
+        // The cell's face looks away; the one furthest along −direction does not.
+        (face, _) = map.facing(polytope, -direction, face);
+        (rate, room) = approach(face);
+        if rate >= 0.0 {
+            return None;
+        }
+    }
+    let mut fraction = room / rate;
+    loop {
+        let current = face;
+        let here = fraction;
+        let mut tied = false;
+        for &neighbour in map.neighbours(current) {
+            let (rate, room) = approach(neighbour);
+            // What is left of the room at the current crossing.
+            let left = room - here * rate;
+            if rate < 0.0 {
+                tied |= left <= 2.0 * growth;
+                // Strictly larger, so that no face comes twice and the walk ends.
+                let crossing = room / rate;
+                if crossing > fraction {
+                    (face, fraction) = (neighbour, crossing);
+                }
+            } else if left < 0.0 {
+                return None;
+            }
+        }
+        if face == current {
+            return Some(Crossing {
+                fraction,
+                face,
+                tied,
+            });
+        }
+    }
+}

@@ -1,0 +1,14 @@
+//! Rays against every shape: conventions, accuracy against slow arithmetic of
+//! twice the precision, and the edges of both.
+
+#![allow(
+    clippy::float_cmp,
+    reason = "exact answers are asserted where they are due"
+)]
+
+mod cases;
+mod conventions;
+mod oracle;
+mod polytope;
+mod random;
+mod twofold;
