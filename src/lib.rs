@@ -4,6 +4,7 @@ mod curve;
 pub mod error;
 pub mod geometry;
 mod math;
+mod narrow_phase;
 pub mod tolerance;
 
 pub use curve::CubicBezier;
@@ -11,3 +12,4 @@ pub use error::{MotionError, PathError, ShapeError, ValueError};
 pub use geometry::{
     Aabb, Cuboid, Edge, Face, Feature, Obb, Polytope, Pose, Ray, Shape, Sphere, Triangle,
 };
+pub use narrow_phase::overlap::{Overlap, overlap};

@@ -44,3 +44,10 @@ pub const MAX_TIME_STEP: f64 = 1e9;
 /// shallow overlaps go unreported; smaller, and a body left in touch is
 /// reported as overlapping.
 pub const TOUCH: f64 = 1e-12;
+
+/// [`TOUCH`] in metres for a pair whose bounding radii add up to `size` and
+/// whose coordinates reach `coordinate`.
+#[must_use]
+pub(crate) fn touch_tolerance(size: f64, coordinate: f64) -> f64 {
+    TOUCH * (size + coordinate)
+}

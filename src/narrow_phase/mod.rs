@@ -1,0 +1,3 @@
+//! What exactly happens between two bodies.
+
+pub(crate) mod overlap;

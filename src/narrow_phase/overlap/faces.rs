@@ -1,0 +1,205 @@
+//! Directions from the hulls' own faces and edges.
+//!
+//! Every face of the Minkowski difference is a face of B, a face of A turned
+//! round, or spanned by an edge of each. Seen on the sphere of directions, an
+//! edge is the arc between the normals of its two faces; two edges span a face
+//! where their arcs cross.
+
+use super::hull::Hull;
+use super::pair::Pair;
+use super::{Width, unit};
+use crate::geometry::Edge;
+use glam::DVec3;
+
+/// Rounding of the crossing test. More directions than needed may pass, for
+/// each is measured; none may be lost.
+const CROSSING: f64 = 1e-12;
+
+/// Sine of the angle below which two edges count as parallel: the face they
+/// span is thinner than rounding.
+const PARALLEL: f64 = 1e-14;
+
+/// Share of a hull's radius within which vertices may belong to the feature a
+/// growing polytope found.
+const NEAR: f64 = 1e-7;
+
+/// Edges of one feature beyond which pairs of them are not looked at.
+const MAX_EDGES: usize = 64;
+
+/// The least of the widths shown to it; of widths that differ by rounding, the first.
+struct Least<'a> {
+    pair: &'a Pair<'a>,
+    rounding: f64,
+    best: Option<Width>,
+}
+
+impl<'a> Least<'a> {
+    fn new(pair: &'a Pair<'a>) -> Self {
+        Self {
+            pair,
+            rounding: pair.rounding(),
+            best: None,
+        }
+    }
+
+    fn beats(&self, width: f64) -> bool {
+        self.best
+            .is_none_or(|best| width < best.width - self.rounding)
+    }
+
+    fn show(&mut self, direction: DVec3) {
+        // A normal that could not be made is zero.
+        if direction != DVec3::ZERO {
+            let shown = self.pair.width(direction);
+            if self.beats(shown.width) {
+                self.best = Some(shown);
+            }
+        }
+    }
+}
+
+/// The least width, by looking at every face of the Minkowski difference.
+///
+/// Right for flat ones too. O((f + c) · n + e²) for f faces, e edges, n vertices
+/// and c faces spanned by edges: for the few cases the growing polytope leaves.
+pub(super) fn least(pair: &Pair) -> Option<Width> {
+    let mut least = Least::new(pair);
+    pair.a.face_normals().for_each(|normal| least.show(-normal));
+    pair.b.face_normals().for_each(|normal| least.show(normal));
+    for rim in pair.a.rim_normals().into_iter().flatten() {
+        least.show(-rim);
+    }
+    for rim in pair.b.rim_normals().into_iter().flatten() {
+        least.show(rim);
+    }
+    let (arcs_a, arcs_b) = (arcs(&pair.a, -1.0), arcs(&pair.b, 1.0));
+    for a in &arcs_a {
+        for b in &arcs_b {
+            if let Some(direction) = a.crossing(b)
+                && least.beats((b.point - a.point).dot(direction))
+            {
+                least.show(direction);
+            }
+        }
+    }
+    least.best
+}
+
+/// An edge, and the arc of directions along which it is the support.
+struct Arc {
+    /// A point of the edge.
+    point: DVec3,
+    /// Unit vector along the edge.
+    along: DVec3,
+    ends: [DVec3; 2],
+}
+
+impl Arc {
+    fn crossing(&self, other: &Self) -> Option<DVec3> {
+        let [a, b] = self.ends;
+        let [c, d] = other.ends;
+        let (c_side, d_side) = (c.dot(self.along), d.dot(self.along));
+        let (a_side, b_side) = (a.dot(other.along), b.dot(other.along));
+        // Both ends of each on opposite sides of the other's plane.
+        if c_side * d_side > CROSSING || a_side * b_side > CROSSING {
+            return None;
+        }
+        let cross = self.along.cross(other.along);
+        if cross.length_squared() < PARALLEL * PARALLEL {
+            return None;
+        }
+        let direction = unit(cross)?;
+        let direction = if direction.dot(c + d) < 0.0 {
+            -direction
+        } else {
+            direction
+        };
+        // On the same half of the sphere.
+        (direction.dot(a + b) >= -CROSSING).then_some(direction)
+    }
+}
+
+/// The arcs of a hull's edges; `sign` −1 for the hull turned round.
+fn arcs(hull: &Hull, sign: f64) -> Vec<Arc> {
+    let rims = hull.rim_normals();
+    let mut arcs = Vec::new();
+    for (index, edge) in hull.edges().iter().enumerate() {
+        let Some(along) = unit(hull.edge_vector(edge)) else {
+            continue;
+        };
+        let point = hull.point(edge.vertices[0]);
+        let [left, right] = edge.faces.map(|face| sign * hull.face_normal(face));
+        let mut push = |ends| arcs.push(Arc { point, along, ends });
+        // A triangle's arc is half a circle, whose ends alone do not tell which half.
+        match rims.and_then(|rims| rims.get(index).copied()) {
+            Some(rim) => {
+                push([left, sign * rim]);
+                push([sign * rim, right]);
+            }
+            None => push([left, right]),
+        }
+    }
+    arcs
+}
+
+/// The direction of `near` computed afresh from the faces or edges that lie farthest along it.
+///
+/// What a growing polytope returns comes from differences of rounded points;
+/// this comes from the hulls themselves.
+pub(super) fn sharpened(pair: &Pair, near: Width) -> Option<Width> {
+    let edges_a = edges_along(&pair.a, -near.direction);
+    let edges_b = edges_along(&pair.b, near.direction);
+    let mut least = Least::new(pair);
+    for normal in normals_along(&pair.a, &edges_a, -near.direction) {
+        least.show(-normal);
+    }
+    for normal in normals_along(&pair.b, &edges_b, near.direction) {
+        least.show(normal);
+    }
+    if edges_a.len() <= MAX_EDGES && edges_b.len() <= MAX_EDGES {
+        for a in edges_a
+            .iter()
+            .filter_map(|edge| unit(pair.a.edge_vector(edge)))
+        {
+            for b in edges_b
+                .iter()
+                .filter_map(|edge| unit(pair.b.edge_vector(edge)))
+            {
+                let cross = a.cross(b);
+                if cross.length_squared() >= PARALLEL * PARALLEL
+                    && let Some(axis) = unit(cross)
+                {
+                    let along = axis.dot(near.direction);
+                    // Rounding of the points may have turned the direction a little, not more.
+                    if along.abs() > 0.5 {
+                        least.show(if along < 0.0 { -axis } else { axis });
+                    }
+                }
+            }
+        }
+    }
+    if least.beats(near.width) {
+        return Some(near);
+    }
+    least.best
+}
+
+fn edges_along<'a>(hull: &'a Hull, direction: DVec3) -> Vec<&'a Edge> {
+    let near = hull.farthest_within(direction, NEAR * hull.radius);
+    hull.edges()
+        .iter()
+        .filter(|edge| edge.vertices.iter().all(|&vertex| near[vertex as usize]))
+        .collect()
+}
+
+/// Normals of the faces beside `edges`, of each face once, if they point along `direction`.
+fn normals_along(hull: &Hull, edges: &[&Edge], direction: DVec3) -> Vec<DVec3> {
+    let mut faces: Vec<u32> = edges.iter().flat_map(|edge| edge.faces).collect();
+    faces.sort_unstable();
+    faces.dedup();
+    faces
+        .into_iter()
+        .map(|face| hull.face_normal(face))
+        .filter(|normal| normal.dot(direction) > 0.5)
+        .collect()
+}

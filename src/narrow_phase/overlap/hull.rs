@@ -1,0 +1,132 @@
+//! A cuboid, triangle or polytope where it stands.
+
+use crate::geometry::{Edge, Mesh, Pose, Shape};
+use glam::{DMat3, DVec3};
+
+/// A shape with vertices, seen along the world's axes from the pair's origin.
+pub(super) struct Hull<'a> {
+    shape: &'a Shape,
+    mesh: Mesh<'a>,
+    rotation: DMat3,
+    /// The shape's centre in its own frame; vertices are turned around it, so
+    /// that a shape far from its own origin is moved by rounding, not bent.
+    centre: DVec3,
+    /// Where that centre stands.
+    offset: DVec3,
+    /// The bounding radius, in metres.
+    pub(super) radius: f64,
+}
+
+impl<'a> Hull<'a> {
+    /// The shape at `pose` with its centre at `offset`; none for a sphere.
+    pub(super) fn new(shape: &'a Shape, pose: &Pose, offset: DVec3) -> Option<Self> {
+        Some(Self {
+            shape,
+            mesh: Mesh::of(shape)?,
+            rotation: DMat3::from_quat(pose.orientation),
+            centre: shape.centre(),
+            offset,
+            radius: shape.max_dist(),
+        })
+    }
+
+    pub(super) fn edges(&self) -> &[Edge] {
+        self.mesh.edges
+    }
+
+    pub(super) fn point(&self, index: u32) -> DVec3 {
+        let local = self.mesh.vertices.get(index as usize).copied();
+        debug_assert!(local.is_some(), "no vertex {index}");
+        self.rotation * (local.unwrap_or(self.centre) - self.centre) + self.offset
+    }
+
+    /// From an edge's first vertex to its second; not of unit length.
+    pub(super) fn edge_vector(&self, edge: &Edge) -> DVec3 {
+        let [from, to] = edge
+            .vertices
+            .map(|index| self.mesh.vertices[index as usize]);
+        self.rotation * (to - from)
+    }
+
+    /// Outward unit normals of the faces.
+    pub(super) fn face_normals(&self) -> impl Iterator<Item = DVec3> {
+        (0..self.face_count()).map(|face| self.face_normal(face))
+    }
+
+    fn face_count(&self) -> u32 {
+        match self.shape {
+            Shape::Sphere(_) => 0,
+            Shape::Cuboid(_) => 6,
+            Shape::Triangle(_) => 2,
+            Shape::Polytope(polytope) => polytope.face_normals().len() as u32,
+        }
+    }
+
+    /// Outward unit normal of a face.
+    pub(super) fn face_normal(&self, face: u32) -> DVec3 {
+        let side = if face & 1 == 1 { 1.0 } else { -1.0 };
+        match self.shape {
+            Shape::Sphere(_) => DVec3::ZERO,
+            Shape::Cuboid(_) => side * self.rotation.col(face as usize / 2 % 3),
+            Shape::Triangle(triangle) => self.rotation * (-side * triangle.normal()),
+            Shape::Polytope(polytope) => self.rotation * polytope.face_normals()[face as usize],
+        }
+    }
+
+    /// Outward normals of a triangle's edges, in its plane; none for a solid.
+    ///
+    /// Half way from one side of the triangle to the other, where its edges
+    /// have their normals too.
+    pub(super) fn rim_normals(&self) -> Option<[DVec3; 3]> {
+        let Shape::Triangle(triangle) = self.shape else {
+            return None;
+        };
+        let [a, b, c] = triangle.vertices();
+        Some(
+            [b - a, c - b, a - c]
+                .map(|edge| self.rotation * edge.cross(triangle.normal()).normalize_or_zero()),
+        )
+    }
+
+    /// The vertex farthest along `direction`, of the lowest number if several are.
+    pub(super) fn support(&self, direction: DVec3) -> DVec3 {
+        let local = self.rotation.transpose() * direction;
+        let index = match self.shape {
+            Shape::Cuboid(_) => {
+                u32::from(local.x > 0.0)
+                    | u32::from(local.y > 0.0) << 1
+                    | u32::from(local.z > 0.0) << 2
+            }
+            _ => farthest(&self.mesh.vertices, local),
+        };
+        self.point(index)
+    }
+
+    /// For each vertex whether it lies within `margin` of the farthest along `direction`.
+    pub(super) fn farthest_within(&self, direction: DVec3, margin: f64) -> Vec<bool> {
+        let local = self.rotation.transpose() * direction;
+        let heights: Vec<f64> = self
+            .mesh
+            .vertices
+            .iter()
+            .map(|&vertex| (vertex - self.centre).dot(local))
+            .collect();
+        let top = heights.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        heights
+            .iter()
+            .map(|height| top - height <= margin)
+            .collect()
+    }
+}
+
+/// Index of the point farthest along `direction`.
+fn farthest(points: &[DVec3], direction: DVec3) -> u32 {
+    let (mut best, mut height) = (0, f64::NEG_INFINITY);
+    for (index, point) in points.iter().enumerate() {
+        let along = point.dot(direction);
+        if along > height {
+            (best, height) = (index, along);
+        }
+    }
+    best as u32
+}

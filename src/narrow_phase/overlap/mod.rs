@@ -1,0 +1,166 @@
+//! Do two shapes overlap, how deep, and which way out is the shortest?
+//!
+//! All of it is one question to the Minkowski difference K = B ⊕ (−A), the set
+//! of all `b − a`: A and B overlap if K holds the origin, and the least
+//! translation of A that parts them leads from the origin to K's nearest face.
+//! The width of the pair along a unit vector `d`, the translation along `d`
+//! that parts them, is K's support there, `max d·b − min d·a`; the depth is the
+//! least width over all directions.
+
+mod boxes;
+mod enclose;
+mod expand;
+mod faces;
+mod hull;
+mod order;
+mod pair;
+mod separate;
+mod sphere;
+mod witness;
+
+use crate::geometry::{Feature, Pose, Shape};
+use crate::tolerance::touch_tolerance;
+use glam::DVec3;
+use pair::Pair;
+use std::cmp::Ordering;
+
+/// How two shapes overlap.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Overlap {
+    /// The least distance by which A must move to part the two, in metres; positive.
+    pub depth: f64,
+    /// Unit vector out of B, towards A: moving A by `depth · direction` leaves
+    /// the two in touch.
+    pub direction: DVec3,
+    /// A world point half way between the part of A that lies deepest in B and
+    /// the part of B that lies deepest in A. If one body lies deep inside the
+    /// other, it may be a point of the larger only.
+    pub point: DVec3,
+    /// The part of A that lies deepest in B.
+    pub feature_a: Feature,
+    /// The part of B that lies deepest in A.
+    pub feature_b: Feature,
+}
+
+impl Overlap {
+    /// The same overlap told with the shapes' roles exchanged.
+    fn swapped(self) -> Self {
+        Self {
+            direction: -self.direction,
+            feature_a: self.feature_b,
+            feature_b: self.feature_a,
+            ..self
+        }
+    }
+}
+
+/// Whether and how `a` standing at `pose_a` overlaps `b` standing at `pose_b`.
+///
+/// None if the shapes are apart, or touch: overlap no deeper than
+/// [`TOUCH`](crate::tolerance::TOUCH) of the pair's size and coordinates. A
+/// triangle has no thickness but overlaps what it passes through; triangles in
+/// one plane only touch. A shape inside another overlaps it.
+///
+/// Exchanging the shapes gives the same overlap with the opposite direction.
+/// Where several directions are equally short (boxes and spheres around one
+/// centre, a point on the middle plane of a slab), faces go before edges, then
+/// lower numbers and positive axes before the others; A and B take part in this
+/// in an order of their own, by kind, then place, then turn, then size. Only
+/// two equal shapes at equal poses cannot be told apart: then both calls give
+/// the same direction.
+///
+/// Depth and direction are those of the Minkowski difference's nearest face:
+/// the minimum over all directions, not a local one. The depth is within
+/// 1e-12 of the pair's size, plus rounding in the coordinates given; the
+/// direction is computed afresh from the two features.
+///
+/// Sources: Cameron & Culley, *Determining the Minimum Translational Distance
+/// between Two Convex Polyhedra* (1986); Gilbert, Johnson & Keerthi (1988) for
+/// parting axes; van den Bergen, *Proximity Queries and Penetration Depth
+/// Computation* (2001) for the expansion, done here with exact predicates.
+///
+/// Two spheres, or two boxes, take constant time. Polytopes that are apart
+/// take a few supports; those that overlap some more the deeper they do.
+///
+/// ```
+/// use feeler::{Pose, Shape, Sphere, overlap};
+/// use glam::DVec3;
+///
+/// let ball = Shape::from(Sphere::new(1.0)?);
+/// let found = overlap(&ball, &Pose::at([1.5, 0.0, 0.0]), &ball, &Pose::IDENTITY);
+/// let found = found.expect("they share half a metre");
+/// assert_eq!(found.depth, 0.5);
+/// assert_eq!(found.direction, DVec3::X);
+/// assert_eq!(found.point, DVec3::new(0.75, 0.0, 0.0));
+///
+/// // In touch, but no overlap.
+/// assert!(overlap(&ball, &Pose::at([2.0, 0.0, 0.0]), &ball, &Pose::IDENTITY).is_none());
+/// # Ok::<(), feeler::ShapeError>(())
+/// ```
+#[must_use]
+pub fn overlap(a: &Shape, pose_a: &Pose, b: &Shape, pose_b: &Pose) -> Option<Overlap> {
+    debug_assert!(
+        pose_a.position.is_finite() && pose_b.position.is_finite(),
+        "a pose is not finite"
+    );
+    match order::compare(a, pose_a, b, pose_b) {
+        Ordering::Greater => in_order(b, pose_b, a, pose_a).map(Overlap::swapped),
+        Ordering::Less | Ordering::Equal => in_order(a, pose_a, b, pose_b),
+    }
+}
+
+/// [`overlap`] for shapes in the order of [`order::compare`]: a sphere comes first.
+fn in_order(a: &Shape, pose_a: &Pose, b: &Shape, pose_b: &Pose) -> Option<Overlap> {
+    let touch = touch(a, pose_a, b, pose_b);
+    match (a, b) {
+        (Shape::Sphere(a), Shape::Sphere(b)) => sphere::of_spheres(a, pose_a, b, pose_b, touch),
+        (Shape::Sphere(a), Shape::Cuboid(b)) => sphere::of_cuboid(a, pose_a, b, pose_b, touch),
+        (Shape::Sphere(a), Shape::Triangle(b)) => sphere::of_triangle(a, pose_a, b, pose_b, touch),
+        (Shape::Sphere(a), Shape::Polytope(b)) => sphere::of_polytope(a, pose_a, b, pose_b, touch),
+        (Shape::Cuboid(half_a), Shape::Cuboid(half_b)) => {
+            let offset = pose_a.position - pose_b.position;
+            let least = boxes::least(half_a, pose_a, half_b, pose_b, offset, touch)?;
+            Pair::new(a, pose_a, b, pose_b, touch)?.witness(least)
+        }
+        _ => {
+            let pair = Pair::new(a, pose_a, b, pose_b, touch)?;
+            if separate::apart(&pair) {
+                return None;
+            }
+            pair.witness(pair.least()?)
+        }
+    }
+}
+
+/// The depth in metres up to which the pair counts as touching.
+fn touch(a: &Shape, pose_a: &Pose, b: &Shape, pose_b: &Pose) -> f64 {
+    let reach = |shape: &Shape, pose: &Pose| {
+        pose.position
+            .abs()
+            .max_element()
+            .max(shape.centre().abs().max_element())
+    };
+    touch_tolerance(
+        a.max_dist() + b.max_dist(),
+        reach(a, pose_a).max(reach(b, pose_b)),
+    )
+}
+
+/// A direction and the pair's width along it.
+#[derive(Debug, Clone, Copy)]
+struct Width {
+    direction: DVec3,
+    width: f64,
+}
+
+/// `vector` in unit length, however long or short it is; none if it is zero or not finite.
+fn unit(vector: DVec3) -> Option<DVec3> {
+    let scale = vector.abs().max_element();
+    // A NaN component fails the test as a whole or by `is_finite`.
+    if scale > 0.0 && vector.is_finite() {
+        // Squares of what is below 1e-154 would lose their bits.
+        (vector / scale).try_normalize()
+    } else {
+        None
+    }
+}

@@ -1,0 +1,255 @@
+//! A sphere and any shape: how far its centre lies from, or in, the other.
+
+use super::{Overlap, unit};
+use crate::geometry::{Cuboid, Edge, Feature, Polytope, Pose, Sphere, Triangle};
+use glam::DVec3;
+
+/// Where a shape lies nearest to a point, or nearest to let it out.
+struct Nearest {
+    /// Signed distance in metres, negative inside.
+    distance: f64,
+    /// Unit vector out of the shape, to the point or through it.
+    direction: DVec3,
+    feature: Feature,
+}
+
+/// The overlap of a sphere with the shape of which `nearest` was found, in that shape's frame.
+fn of_nearest(
+    sphere: &Sphere,
+    pose: &Pose,
+    nearest: &Nearest,
+    pose_b: &Pose,
+    touch: f64,
+) -> Option<Overlap> {
+    let depth = sphere.radius() - nearest.distance;
+    let direction = pose_b.direction(nearest.direction);
+    (depth > touch).then(|| Overlap {
+        depth,
+        direction,
+        point: pose.position - 0.5 * (sphere.radius() + nearest.distance) * direction,
+        feature_a: Feature::Surface,
+        feature_b: nearest.feature,
+    })
+}
+
+/// Two spheres; around one centre the way out is +x.
+pub(super) fn of_spheres(
+    a: &Sphere,
+    pose_a: &Pose,
+    b: &Sphere,
+    pose_b: &Pose,
+    touch: f64,
+) -> Option<Overlap> {
+    let offset = pose_a.position - pose_b.position;
+    let nearest = Nearest {
+        distance: offset.length() - b.radius(),
+        direction: unit(offset).unwrap_or(DVec3::X),
+        feature: Feature::Surface,
+    };
+    of_nearest(a, pose_a, &nearest, &Pose::IDENTITY, touch)
+}
+
+pub(super) fn of_cuboid(
+    sphere: &Sphere,
+    pose: &Pose,
+    cuboid: &Cuboid,
+    pose_b: &Pose,
+    touch: f64,
+) -> Option<Overlap> {
+    let centre = pose_b.local_point(pose.position);
+    let excess = centre.abs() - cuboid.half_extents();
+    let sides = centre.to_array().map(|x| u32::from(x >= 0.0));
+    let outside = excess.max(DVec3::ZERO);
+    let nearest = if outside == DVec3::ZERO {
+        let axis = (1..3).fold(0, |best, axis| {
+            if excess[axis] > excess[best] {
+                axis
+            } else {
+                best
+            }
+        });
+        Nearest {
+            distance: excess[axis],
+            direction: (2.0 * f64::from(sides[axis]) - 1.0) * DVec3::AXES[axis],
+            feature: Feature::Face(2 * axis as u32 + sides[axis]),
+        }
+    } else {
+        Nearest {
+            distance: outside.length(),
+            direction: unit(outside.copysign(centre))?,
+            feature: feature_of_cuboid(outside, sides),
+        }
+    };
+    of_nearest(sphere, pose, &nearest, pose_b, touch)
+}
+
+/// The feature of a cuboid from which a point sticks out along the axes where `outside` is not zero.
+fn feature_of_cuboid(outside: DVec3, [x, y, z]: [u32; 3]) -> Feature {
+    match outside.to_array().map(|excess| excess > 0.0) {
+        [true, true, true] => Feature::Vertex(x + 2 * y + 4 * z),
+        [false, true, true] => Feature::Edge(y + 2 * z),
+        [true, false, true] => Feature::Edge(4 + x + 2 * z),
+        [true, true, false] => Feature::Edge(8 + x + 2 * y),
+        [_, false, false] => Feature::Face(x),
+        [false, true, false] => Feature::Face(2 + y),
+        [false, false, true] => Feature::Face(4 + z),
+    }
+}
+
+/// A centre in the triangle leaves to the side of its normal.
+pub(super) fn of_triangle(
+    sphere: &Sphere,
+    pose: &Pose,
+    triangle: &Triangle,
+    pose_b: &Pose,
+    touch: f64,
+) -> Option<Overlap> {
+    let centre = pose_b.local_point(pose.position);
+    let (vertices, normal) = (triangle.vertices(), triangle.normal());
+    let height = normal.dot(centre - vertices[0]);
+    if height.abs() > sphere.radius() - touch {
+        return None;
+    }
+    let (up, face) = if height < 0.0 {
+        (-normal, 1)
+    } else {
+        (normal, 0)
+    };
+    let above = Nearest {
+        distance: height.abs(),
+        direction: up,
+        feature: Feature::Face(face),
+    };
+    let mut nearest: Option<Nearest> = None;
+    let mut beyond = false;
+    for index in 0..3_u32 {
+        let from = vertices[index as usize];
+        let edge = vertices[(index as usize + 1) % 3] - from;
+        let length = edge.length();
+        let along = edge / length;
+        let rim = along.cross(normal);
+        let offset = centre - from;
+        let (out, fraction) = (rim.dot(offset), along.dot(offset) / length);
+        beyond |= out > 0.0;
+        let (distance, away, feature) = if out > 0.0 && fraction > 0.0 && fraction < 1.0 {
+            // From height and overhang, so that close to the edge the direction
+            // still leads out of the triangle.
+            let away = height * normal + out * rim;
+            (height.hypot(out), away, Feature::Edge(index))
+        } else {
+            (offset.length(), offset, Feature::Vertex(index))
+        };
+        if nearest.as_ref().is_none_or(|best| distance < best.distance) {
+            nearest = Some(Nearest {
+                distance,
+                direction: unit(away).unwrap_or(up),
+                feature,
+            });
+        }
+    }
+    let nearest = nearest.filter(|_| beyond).unwrap_or(above);
+    of_nearest(sphere, pose, &nearest, pose_b, touch)
+}
+
+/// Only edges and faces that the centre sees can be nearest to it.
+pub(super) fn of_polytope(
+    sphere: &Sphere,
+    pose: &Pose,
+    polytope: &Polytope,
+    pose_b: &Pose,
+    touch: f64,
+) -> Option<Overlap> {
+    let centre = pose_b.local_point(pose.position);
+    let normals = polytope.face_normals();
+    let heights: Vec<f64> = normals
+        .iter()
+        .zip(polytope.face_offsets())
+        .map(|(normal, offset)| normal.dot(centre) - offset)
+        .collect();
+    let (face, height) =
+        heights
+            .iter()
+            .copied()
+            .enumerate()
+            .fold((0, f64::NEG_INFINITY), |best, (face, height)| {
+                if height > best.1 {
+                    (face, height)
+                } else {
+                    best
+                }
+            });
+    if height > sphere.radius() - touch {
+        return None;
+    }
+    let mut nearest = Nearest {
+        distance: height,
+        direction: *normals.get(face)?,
+        feature: Feature::Face(face as u32),
+    };
+    // Above the highest face, its foot on that face: nothing else is nearer.
+    if height > 0.0 && !over_face(polytope, face as u32, centre) {
+        let mut best = f64::INFINITY;
+        for (index, edge) in (0..).zip(polytope.edges()) {
+            if edge.faces.iter().any(|&face| heights[face as usize] > 0.0) {
+                let found = nearest_on_edge(polytope, index, edge, centre);
+                if found.distance < best {
+                    best = found.distance;
+                    nearest = found;
+                }
+            }
+        }
+    }
+    of_nearest(sphere, pose, &nearest, pose_b, touch)
+}
+
+/// Whether the foot of `point` on a face's plane lies in the face.
+fn over_face(polytope: &Polytope, face: u32, point: DVec3) -> bool {
+    let normal = polytope.face_normals()[face as usize];
+    polytope.edges().iter().all(|edge| {
+        let [from, to] = edge
+            .vertices
+            .map(|index| polytope.vertices()[index as usize]);
+        // The first face lies to the left of the edge.
+        let left = normal.cross(to - from).dot(point - from);
+        match edge.faces {
+            [first, _] if first == face => left >= 0.0,
+            [_, second] if second == face => left <= 0.0,
+            _ => true,
+        }
+    })
+}
+
+fn nearest_on_edge(polytope: &Polytope, index: u32, edge: &Edge, point: DVec3) -> Nearest {
+    let [from, to] = edge
+        .vertices
+        .map(|index| polytope.vertices()[index as usize]);
+    let normals = edge
+        .faces
+        .map(|face| polytope.face_normals()[face as usize]);
+    let (along, offset) = (to - from, point - from);
+    let fraction = offset.dot(along) / along.length_squared();
+    if fraction > 0.0 && fraction < 1.0 {
+        let away = unit(offset - fraction * along).unwrap_or(normals[0]);
+        // Close to the edge rounding may turn the direction out of the wedge
+        // between the two faces, where it would no longer support the body.
+        let direction = if normals[0].cross(away).dot(along) < 0.0 {
+            normals[0]
+        } else if away.cross(normals[1]).dot(along) < 0.0 {
+            normals[1]
+        } else {
+            away
+        };
+        return Nearest {
+            distance: direction.dot(offset),
+            direction,
+            feature: Feature::Edge(index),
+        };
+    }
+    let end = usize::from(fraction > 0.0);
+    let offset = point - [from, to][end];
+    Nearest {
+        distance: offset.length(),
+        direction: unit(offset).unwrap_or(normals[0]),
+        feature: Feature::Vertex(edge.vertices[end]),
+    }
+}

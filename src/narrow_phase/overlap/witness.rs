@@ -1,0 +1,139 @@
+//! Where two hulls overlap: the features that meet, and a point between them.
+
+use super::hull::Hull;
+use super::pair::Pair;
+use super::{Overlap, Width};
+use crate::geometry::Feature;
+use crate::math::frame::orthonormal;
+use glam::{DVec2, DVec3};
+
+/// Share of a hull's radius within which vertices lie in one feature.
+///
+/// A direction computed from two features is right to some 1e-16; the margin
+/// leaves room for shapes whose own numbers were rounded. Larger, and an edge
+/// turned by a hair from a face is taken for part of it.
+const FEATURE: f64 = 1e-11;
+
+impl Pair<'_> {
+    /// The overlap whose least width was found.
+    pub(super) fn witness(&self, least: Width) -> Option<Overlap> {
+        let Width { direction, width } = least;
+        let (feature_a, points_a) = feature(&self.a, -direction);
+        let (feature_b, points_b) = feature(&self.b, direction);
+        let (x, y) = orthonormal(direction);
+        let flat = |points: Vec<DVec3>| -> Vec<DVec2> {
+            let points: Vec<DVec2> = points
+                .iter()
+                .map(|p| DVec2::new(p.dot(x), p.dot(y)))
+                .collect();
+            around(points)
+        };
+        let shared = middle(&flat(points_a), &flat(points_b));
+        let bottom = self.a.support(-direction).dot(direction);
+        let top = self.b.support(direction).dot(direction);
+        Some(Overlap {
+            depth: width,
+            direction,
+            point: self.origin + shared.x * x + shared.y * y + (0.5 * (bottom + top)) * direction,
+            feature_a,
+            feature_b,
+        })
+    }
+}
+
+/// The feature that lies farthest along `direction`, and its corners.
+fn feature(hull: &Hull, direction: DVec3) -> (Feature, Vec<DVec3>) {
+    let inside = hull.farthest_within(direction, FEATURE * hull.radius);
+    let vertices: Vec<u32> = (0..)
+        .zip(&inside)
+        .filter_map(|(index, &inside)| inside.then_some(index))
+        .collect();
+    let edges: Vec<u32> = (0..)
+        .zip(hull.edges())
+        .filter_map(|(index, edge)| {
+            let [from, to] = edge.vertices;
+            (vertices.len() > 1 && inside[from as usize] && inside[to as usize]).then_some(index)
+        })
+        .collect();
+    let points = vertices.iter().map(|&index| hull.point(index)).collect();
+    let feature = match edges[..] {
+        [] => Feature::Vertex(vertices.first().copied().unwrap_or(0)),
+        [edge] => Feature::Edge(edge),
+        _ => edges
+            .iter()
+            .flat_map(|&edge| hull.edges()[edge as usize].faces)
+            .max_by(|&p, &q| {
+                let along = |face| hull.face_normal(face).dot(direction);
+                along(p).total_cmp(&along(q)).then(q.cmp(&p))
+            })
+            .map_or(Feature::Edge(edges[0]), Feature::Face),
+    };
+    (feature, points)
+}
+
+/// The corners of a convex polygon in counter-clockwise order.
+fn around(mut points: Vec<DVec2>) -> Vec<DVec2> {
+    let centre = mean(&points);
+    points.sort_by(|p, q| {
+        let angle = |p: &DVec2| (p.y - centre.y).atan2(p.x - centre.x);
+        angle(p).total_cmp(&angle(q))
+    });
+    points
+}
+
+fn mean(points: &[DVec2]) -> DVec2 {
+    points.iter().sum::<DVec2>() / points.len().max(1) as f64
+}
+
+/// A point that two convex point sets share: points, segments or polygons.
+fn middle(a: &[DVec2], b: &[DVec2]) -> DVec2 {
+    let (subject, clip) = if a.len() <= b.len() { (a, b) } else { (b, a) };
+    match (subject, clip) {
+        ([point], _) => *point,
+        ([from, to], [other_from, other_to]) => of_segments([*from, *to], [*other_from, *other_to]),
+        _ => {
+            let shared = clipped(subject, clip);
+            if shared.is_empty() {
+                // Rounding alone keeps them apart.
+                0.5 * (mean(a) + mean(b))
+            } else {
+                mean(&shared)
+            }
+        }
+    }
+}
+
+fn of_segments([from, to]: [DVec2; 2], [other_from, other_to]: [DVec2; 2]) -> DVec2 {
+    let (along, other) = (to - from, other_to - other_from);
+    let cross = along.perp_dot(other);
+    if cross.abs() > 1e-9 * along.length() * other.length() {
+        let fraction = (other_from - from).perp_dot(other) / cross;
+        return from + fraction.clamp(0.0, 1.0) * along;
+    }
+    // Parallel: the middle of what they share.
+    let fraction =
+        |point: DVec2| ((point - from).dot(along) / along.length_squared()).clamp(0.0, 1.0);
+    from + 0.5 * (fraction(other_from) + fraction(other_to)) * along
+}
+
+/// What of `subject` lies in the polygon `clip`. Source: Sutherland & Hodgman (1974).
+fn clipped(subject: &[DVec2], clip: &[DVec2]) -> Vec<DVec2> {
+    let mut kept = subject.to_vec();
+    for (index, &from) in clip.iter().enumerate() {
+        let along = clip[(index + 1) % clip.len()] - from;
+        let height = |point: DVec2| along.perp_dot(point - from);
+        let mut next = Vec::with_capacity(kept.len() + 1);
+        for (index, &point) in kept.iter().enumerate() {
+            let previous = kept[(index + kept.len() - 1) % kept.len()];
+            let (before, here) = (height(previous), height(point));
+            if (before < 0.0) != (here < 0.0) {
+                next.push(previous + before / (before - here) * (point - previous));
+            }
+            if here >= 0.0 {
+                next.push(point);
+            }
+        }
+        kept = next;
+    }
+    kept
+}
