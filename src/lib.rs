@@ -6,10 +6,7 @@ pub mod early_out;
 pub mod error;
 pub mod geometry;
 mod math;
-mod motion;
 mod narrow_phase;
-pub mod raycast;
-pub mod sampling;
 pub mod tolerance;
 mod world;
 
@@ -22,11 +19,4 @@ pub use error::{
 pub use geometry::{
     Aabb, Cuboid, Edge, Face, Feature, Obb, Polytope, Pose, Ray, Shape, Sphere, Triangle,
 };
-pub use motion::{Motion, Path};
 pub use narrow_phase::overlap::{Overlap, overlap};
-pub use narrow_phase::rays::{Chords, Overlaps, Placement, RayConfig, Refinement, Senders};
-pub use raycast::{RayCast, RayHit, RaySpan, SurfacePoint};
-pub use world::{
-    Advance, Body, BodyId, CollisionWorld, Contact, ContactKind, Method, PairContact, PhaseTimes,
-    StepStats, WorldConfig, first_contact,
-};

@@ -1,4 +1,3 @@
-//! What two bodies do: the methods that find their contact.
+//! What exactly happens between two bodies.
 
-pub mod overlap;
-pub mod rays;
+pub(crate) mod overlap;

@@ -62,12 +62,12 @@ impl Overlap {
 /// one plane only touch. A shape inside another overlaps it.
 ///
 /// Exchanging the shapes gives the same overlap with the opposite direction.
-/// Where several directions are equally short (boxes and spheres around one
-/// centre, a point on the middle plane of a slab), faces go before edges, then
-/// lower numbers and positive axes before the others; A and B take part in this
-/// in an order of their own, by kind, then place, then turn, then size. Only
-/// two equal shapes at equal poses cannot be told apart: then both calls give
-/// the same direction.
+/// Where several directions are equally short (shapes around one centre, a point
+/// in the middle of a slab), spheres and boxes prefer faces, then lower axes,
+/// then positive directions; for polytopes the choice is fixed but arbitrary. It
+/// is made with the two shapes in an order of their own, by kind, then place,
+/// then turn, then size. Only equal shapes at equal poses cannot be told apart:
+/// then both calls give the same direction.
 ///
 /// Depth and direction are those of the Minkowski difference's nearest face:
 /// the minimum over all directions, not a local one. The depth is within

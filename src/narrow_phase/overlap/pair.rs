@@ -75,3 +75,69 @@ impl<'a> Pair<'a> {
         (least.width > self.touch).then_some(least)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::{Cuboid, Triangle};
+    use crate::narrow_phase::overlap::{boxes, separate};
+    use glam::DQuat;
+
+    /// Boxes and triangles at all sorts of poses, some of them parallel.
+    fn bodies() -> Vec<(Shape, Pose)> {
+        let cuboid = Cuboid::new([1.0, 0.4, 0.02]).unwrap();
+        let triangle = Triangle::new([-1.0, -0.5, 0.1], [1.2, 0.0, 0.0], [0.0, 0.7, 0.3]).unwrap();
+        let mut bodies = Vec::new();
+        for step in 0..12 {
+            let angle = 0.5 * f64::from(step / 2);
+            let axis = DVec3::new(1.0, f64::from(step % 3) - 1.0, f64::from(step % 5) - 2.0);
+            let turn = DQuat::from_axis_angle(axis.normalize(), angle);
+            let at = 0.25 * f64::from(step % 4) * axis;
+            bodies.push((Shape::from(cuboid), Pose::new(at, turn)));
+            bodies.push((Shape::from(triangle), Pose::new(at, turn)));
+        }
+        bodies
+    }
+
+    #[test]
+    fn growing_and_looking_at_every_face_agree() {
+        let (mut hits, mut apart) = (0, 0);
+        let bodies = bodies();
+        for (a, pose_a) in &bodies {
+            for (b, pose_b) in &bodies {
+                let pair = Pair::new(a, pose_a, b, pose_b, 1e-12).unwrap();
+                let slow = faces::least(&pair).unwrap();
+                let slow = (slow.width > pair.touch).then_some(slow.width);
+                let fast = pair.least().map(|least| least.width);
+                match (slow, fast) {
+                    (Some(slow), Some(fast)) => {
+                        assert!((slow - fast).abs() < 1e-14, "{slow} {fast}");
+                        assert!(!separate::apart(&pair));
+                        hits += 1;
+                    }
+                    (None, None) => apart += 1,
+                    _ => panic!("{slow:?} {fast:?}"),
+                }
+            }
+        }
+        assert!(hits > 100 && apart > 50, "{hits} {apart}");
+    }
+
+    #[test]
+    fn the_fifteen_axes_and_the_hulls_agree() {
+        for (a, pose_a) in &bodies() {
+            for (b, pose_b) in &bodies() {
+                let (Shape::Cuboid(box_a), Shape::Cuboid(box_b)) = (a, b) else {
+                    continue;
+                };
+                let pair = Pair::new(a, pose_a, b, pose_b, 1e-12).unwrap();
+                let axes = boxes::least(box_a, pose_a, box_b, pose_b, pair.offset, pair.touch);
+                let hulls = pair.least();
+                assert_eq!(axes.is_some(), hulls.is_some());
+                if let (Some(axes), Some(hulls)) = (axes, hulls) {
+                    assert!((axes.width - hulls.width).abs() < 1e-14);
+                }
+            }
+        }
+    }
+}
