@@ -1,14 +1,17 @@
 //! Continuous collision detection by casting rays.
 
-mod broad_phase;
-mod curve;
+pub mod broad_phase;
+pub mod curve;
 pub mod early_out;
 pub mod error;
 pub mod geometry;
 mod math;
-mod narrow_phase;
+pub mod motion;
+pub mod narrow_phase;
+pub mod raycast;
+pub mod sampling;
 pub mod tolerance;
-mod world;
+pub mod world;
 
 pub use broad_phase::BroadPhase;
 pub use curve::{ArcLengthRow, ArcLengthTable, CubicBezier, Spline};
@@ -19,4 +22,11 @@ pub use error::{
 pub use geometry::{
     Aabb, Cuboid, Edge, Face, Feature, Obb, Polytope, Pose, Ray, Shape, Sphere, Triangle,
 };
+pub use motion::{Motion, Path};
 pub use narrow_phase::overlap::{Overlap, overlap};
+pub use narrow_phase::rays::{Chords, Overlaps, Placement, RayConfig, Refinement, Senders};
+pub use raycast::{RayCast, RayHit, RaySpan, SurfacePoint};
+pub use world::{
+    Advance, Body, BodyId, CollisionWorld, Contact, ContactKind, Method, PairContact, PhaseTimes,
+    StepStats, WorldConfig, first_contact,
+};

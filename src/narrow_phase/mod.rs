@@ -1,3 +1,4 @@
-//! What exactly happens between two bodies.
+//! What two bodies do: the methods that find their contact.
 
-pub(crate) mod overlap;
+pub mod overlap;
+pub mod rays;
