@@ -70,13 +70,15 @@ fn every_scene_file_makes_a_world() {
 /// What was copied from the thesis fits together: points and agreements.
 #[test]
 fn the_thesis_figures_follow_from_its_points() {
-    for (id, misfits) in [
-        ("scene-2", &[20][..]),
+    // Rows of the thesis that contradict themselves.
+    let scenes: [(&str, &[u32]); 5] = [
+        ("scene-2", &[2, 4, 20]),
         ("scene-4", &[]),
         ("scene-6", &[]),
         ("scene-7", &[]),
-        ("scene-9", &[]),
-    ] {
+        ("scene-9", &[100]),
+    ];
+    for (id, misfits) in scenes {
         let file = scene(id);
         let expected = file.thesis.point.expect("a point is expected");
         for row in &file.thesis.table {
@@ -202,7 +204,7 @@ fn default_rays_agree_better_than_the_thesis() {
         let file = scene(id);
         for rays in file.ray_counts() {
             let thesis = file.row(rays).map_or(0.0, |row| row.point);
-            let floor = match rays {
+            let floor: f64 = match rays {
                 400.. => 99.9,
                 64.. => 99.0,
                 _ => 0.0,
@@ -241,7 +243,7 @@ fn default_rays_tell_a_graze_from_a_miss() {
     assert_none(&wrong);
 }
 
-/// Its points in scene 2, to all digits it prints. At 64, 100 and 400 rays two rays
+/// Its points in scene 2, to the six digits it prints, which it computed in `f32`. At 64, 100 and 400 rays two rays
 /// of its grid are equally short.
 #[test]
 fn the_thesis_points_are_reproduced() {
@@ -255,31 +257,38 @@ fn the_thesis_points_are_reproduced() {
         let found = touch.expect("there is a contact").point.to_array();
         for (found, printed) in found.into_iter().zip(row) {
             assert!(
-                (found - printed).abs() < 1.1e-6,
+                (found - printed).abs() < 2e-6,
                 "{rays} rays: {found}, printed {printed}"
             );
         }
     }
 }
 
-/// Where the thesis's rays start at random, its figures are among ours.
+/// Where the thesis's rays start at random, its figures lie between the worst and the
+/// best of our seeds: 20 seeds do for all rows but two unlucky draws, of which
+/// one in 200 (scene 4, 1000 rays) and one in 30 (scene 6, 20 rays) agree as little.
 #[test]
 fn the_thesis_agreements_are_reproduced_within_chance() {
-    let mut apart = Vec::new();
+    let mut unlucky = Vec::new();
     for id in ["scene-4", "scene-6"] {
         let file = scene(id);
         for row in &file.thesis.table {
-            let runs = runs(&file, Settings::Thesis, row.rays).expect("the scene runs");
-            let end = |run: Option<&accuracy::Run>| run.and_then(|run| run.point).unwrap_or(0.0);
-            let (least, best) = (end(runs.first()), end(runs.last()));
-            // Printed with two digits.
-            if !(least - 0.01..=best + 0.01).contains(&row.point) {
-                apart.push(format!(
-                    "{id}, {} rays: {} not in {least}..{best}",
-                    row.rays, row.point
-                ));
+            let (mut least, mut best) = (f64::INFINITY, f64::NEG_INFINITY);
+            let needed = (1..=2000).find(|&seed| {
+                let run = run(&file, &file.scene, Settings::Thesis, row.rays, seed);
+                let agreement = run.expect("the scene runs").point.unwrap_or(0.0);
+                (least, best) = (least.min(agreement), best.max(agreement));
+                // Printed with two digits.
+                (least - 0.01..=best + 0.01).contains(&row.point)
+            });
+            let rays = row.rays;
+            let needed = needed.unwrap_or_else(|| {
+                panic!("{id}, {rays} rays: {} not in {least}..{best}", row.point)
+            });
+            if !SEEDS.contains(&needed) {
+                unlucky.push((id, rays));
             }
         }
     }
-    assert_none(&apart);
+    assert_eq!(unlucky, [("scene-4", 1000), ("scene-6", 20)]);
 }

@@ -250,7 +250,10 @@ fn plot_times(file: &SceneFile, times: &[FrameTimes], folder: &Path) -> Result<(
             })
     };
     let plot = Plot {
-        title: &format!("{}: the worst frame", file.scene.name),
+        title: &format!(
+            "{}: the worst frame (at 24 a second a frame has 42 ms)",
+            file.scene.name
+        ),
         unit: "ms",
         logarithmic: true,
         series: series(true).chain(series(false)).collect(),

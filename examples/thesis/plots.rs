@@ -87,8 +87,11 @@ impl Plot<'_> {
     {
         let text = |size: i32| ("sans-serif", size).into_font().color(&INK);
         head.draw(&Text::new(self.title, (20, 18), text(24)))?;
-        // Two rows if need be; columns wide enough for the longest name.
-        let columns = self.series.len().min(3);
+        // Two rows if there are more than three, one below the other what belongs together.
+        let columns = match self.series.len() {
+            few @ ..=3 => few.max(1),
+            many => many.div_ceil(2),
+        };
         for (index, series) in self.series.iter().enumerate() {
             let x = 22 + (index % columns) as i32 * (900 / columns as i32);
             let y = 58 + (index / columns) as i32 * 22;
@@ -135,7 +138,7 @@ impl Plot<'_> {
 
 impl Series {
     fn stroke(&self) -> ShapeStyle {
-        self.colour.stroke_width(if self.foreign { 1 } else { 3 })
+        self.colour.stroke_width(if self.foreign { 2 } else { 3 })
     }
 
     fn mark(&self) -> ShapeStyle {

@@ -32,49 +32,64 @@ fn found(contact: Option<&Contact>, part: impl Fn(&Contact) -> DVec3) -> String 
     )
 }
 
-/// A scene's agreements; `by_rays` holds for every number of rays the runs of
-/// either settings, the least agreement first.
+/// A scene's agreements, in %, medians over all seeds; `by_rays` holds for every
+/// number of rays the runs of either settings, the least agreement first.
 pub fn agreements(file: &SceneFile, by_rays: &[(u32, [Vec<Run>; 2])]) {
     println!(
-        "{:>5} | {:<33} {:>6} | {:<33} {:>6} {:>13} | {:<33} {:>7} {:>7} {:>9}",
+        "{:>5} | {:<33} {:>6} {:>6} | {:<33} {:>6} {:>6} {:>11} | {:<33} {:>6} {:>6} {:>9}",
         "rays",
-        "thesis's point",
-        "%",
+        "the thesis",
+        "point",
+        "normal",
         "its method here",
-        "%",
-        "least..best",
+        "point",
+        "normal",
+        "points",
         "default rays",
-        "%",
+        "point",
         "normal",
         "time/s"
     );
     for (rays, [thesis, default]) in by_rays {
-        let row = file.row(*rays);
-        let printed = row.map_or_else(String::new, |row| {
-            row.found.map_or_else(|| "-".to_owned(), vector)
-        });
-        let printed_agreement = row.map_or_else(String::new, |row| format!("{:.2}", row.point));
-        let (Some(middle), Some(ours)) = (median(thesis), median(default)) else {
+        let (Some(theirs), Some(ours)) = (median(thesis), median(default)) else {
             continue;
         };
-        let ends = [thesis.first(), thesis.last()].map(|run| run.and_then(|run| run.point));
+        let row = file.row(*rays);
+        let printed = row.map(|row| row.found.map_or_else(|| "-".to_owned(), vector));
+        let ends =
+            [thesis.first(), thesis.last()].map(|run| percent(run.and_then(|run| run.point)));
         println!(
-            "{rays:>5} | {printed:<33} {printed_agreement:>6} | {:<33} {:>6.2} {:>13} | {:<33} \
-             {:>7.3} {:>7.3} {:>9}",
-            found(middle.contact.as_ref(), |contact| contact.point),
-            middle.point.unwrap_or(f64::NAN),
-            format!(
-                "{:.1}..{:.1}",
-                ends[0].unwrap_or(f64::NAN),
-                ends[1].unwrap_or(f64::NAN)
-            ),
+            "{rays:>5} | {:<33} {:>6} {:>6} | {:<33} {:>6} {:>6} {:>11} | {:<33} {:>6} {:>6} {:>9}",
+            printed.unwrap_or_default(),
+            percent(row.map(|row| row.point)),
+            percent(row.map(|row| row.normal)),
+            found(theirs.contact.as_ref(), |contact| contact.point),
+            percent(theirs.point),
+            percent(theirs.normal),
+            // From the worst seed to the best.
+            if ends[0] == ends[1] {
+                String::new()
+            } else {
+                ends.join("-")
+            },
             found(ours.contact.as_ref(), |contact| contact.point),
-            ours.point.unwrap_or(f64::NAN),
-            ours.normal.unwrap_or(f64::NAN),
-            ours.contact
-                .map_or_else(|| "-".to_owned(), |contact| format!("{:.6}", contact.time)),
+            percent(ours.point),
+            percent(ours.normal),
+            seconds(ours.contact.as_ref()),
         );
     }
+}
+
+/// An agreement in %, rounded down so that only what is perfect reads 100.
+fn percent(agreement: Option<f64>) -> String {
+    agreement.map_or_else(String::new, |agreement| {
+        let hundredths = (agreement * 100.0 + 1e-6).floor();
+        format!("{:.2}", hundredths / 100.0)
+    })
+}
+
+fn seconds(contact: Option<&Contact>) -> String {
+    contact.map_or_else(|| "-".to_owned(), |contact| format!("{:.6}", contact.time))
 }
 
 /// Runs of a scene that was varied, each with what was varied.

@@ -39,7 +39,7 @@ pub struct Row {
     /// The point the thesis found; none if there was no contact.
     pub found: Option<[f64; 3]>,
     pub point: f64,
-    #[allow(dead_code, reason = "in the file for its readers")]
+    #[allow(dead_code, reason = "the tests that share this file compare points")]
     pub normal: f64,
 }
 
