@@ -407,8 +407,13 @@ impl Scene<'_> {
             let (far_a, near_b) = self.ends(best)?;
             let (normal_a, surface_a) = self.shadow_a.surface_at(x, y, far_a, Side::Far);
             let (normal_b, surface_b) = self.shadow_b.surface_at(x, y, near_b, Side::Near);
+            // Where an edge meets an edge a ray knows no better normal than
+            // the triangle's that it hits, and the second body's is asked for.
+            let on_edges = matches!(best.origin, Origin::Edge { .. })
+                && self.shadow_a.leaves_by_edge(x, y, far_a);
             let (normal, features) = if best.behind {
-                (-normal_a, [surface_a, best.origin.feature(surface_b)])
+                let normal = if on_edges { normal_b } else { -normal_a };
+                (normal, [surface_a, best.origin.feature(surface_b)])
             } else {
                 (normal_b, [best.origin.feature(surface_a), surface_b])
             };

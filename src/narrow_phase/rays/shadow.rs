@@ -190,6 +190,18 @@ impl<'a> Shadow<'a> {
         Some((near + self.centre.z, far + self.centre.z))
     }
 
+    /// Whether the line through `(x, y)` leaves the body, which it does at
+    /// `depth`, on an edge between two faces or close to one.
+    pub(super) fn leaves_by_edge(&self, x: f64, y: f64, depth: f64) -> bool {
+        /// Share of the body's size that is close. The refinement comes within
+        /// a thousandth of this.
+        const CLOSE: f64 = 1e-6;
+        let Surface::Facets(facets) = &self.surface else { return false };
+        let at = DVec2::new(x, y) - self.centre.truncate();
+        let limit = depth - self.centre.z + CLOSE * self.size;
+        facets.far.iter().filter(|facet| facet.at(at) <= limit).count() > 1
+    }
+
     /// Outward unit normal and feature where the line through `(x, y)` enters
     /// (`near`) or leaves the body, which it does at `depth`.
     pub(super) fn surface_at(&self, x: f64, y: f64, depth: f64, side: Side) -> (DVec3, Feature) {
