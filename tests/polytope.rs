@@ -4,5 +4,11 @@
 mod checks;
 #[path = "polytope/hulls.rs"]
 mod hulls;
+#[path = "polytope/meshes.rs"]
+mod meshes;
+#[path = "polytope/oracle.rs"]
+mod oracle;
 #[path = "polytope/points.rs"]
 mod points;
+#[path = "polytope/queries.rs"]
+mod queries;

@@ -37,11 +37,6 @@ pub(crate) fn assert_sound(polytope: &Polytope, tolerance: f64) {
     let used: HashSet<u32> = triangles.iter().flatten().copied().collect();
     assert_eq!(used.len(), vertices.len());
     assert_eq!(2 * vertices.len(), triangles.len() + 4, "no sphere");
-    for v in 0..vertices.len() as u32 {
-        let neighbours: HashSet<u32> = polytope.neighbours(v).iter().copied().collect();
-        let want: HashSet<u32> = directed.keys().filter(|e| e.0 == v).map(|e| e.1).collect();
-        assert!(neighbours == want && polytope.neighbours(v).len() == want.len());
-    }
 
     // Faces: their rims are the edges between different faces.
     let mut rims = HashMap::new();

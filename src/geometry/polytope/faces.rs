@@ -1,6 +1,7 @@
 //! Coplanar triangles become one face.
 
-use super::topology::Lists;
+use super::support::{Seen, Support};
+use super::topology::{self, Lists};
 use crate::geometry::Edge;
 use glam::DVec3;
 
@@ -23,37 +24,75 @@ const NONE: u32 = u32::MAX;
 /// triangles, whose first plane is a bad one, needs two or three.
 const FITS: usize = 6;
 
-/// Gathers triangles into faces, each flat to within `tolerance` metres.
-///
-/// Faces grow from the largest triangles, over edges, as long as all corners
-/// lie within `tolerance` of *one* plane: that of the whole face, laid anew as it
-/// grows. So nothing creeps around a curved hull triangle by triangle. A
-/// triangle that faces the other way joins only if it is a sliver, lower than
-/// `tolerance`, whose own direction is rounding.
-pub(super) fn merge(
-    vertices: &[DVec3],
-    triangles: &[[u32; 3]],
-    neighbours: &[[u32; 3]],
-    tolerance: f64,
-) -> Faces {
-    let mut merger = Merger::new(vertices, triangles, neighbours);
-    let mut order: Vec<u32> = (0..triangles.len() as u32).collect();
-    let size = |t: &u32| merger.areas[*t as usize].length_squared();
-    order.sort_by(|s, t| size(t).total_cmp(&size(s)).then(s.cmp(t)));
-    let mut groups = 0;
-    for seed in order {
-        if merger.group[seed as usize] == NONE {
-            merger.grow(seed, groups, tolerance);
-            groups += 1;
+impl Faces {
+    /// Gathers the triangles of a closed surface into faces, each flat to
+    /// within `tolerance` metres.
+    ///
+    /// Faces grow from the largest triangles, over edges, as long as all corners
+    /// lie within `tolerance` of *one* plane: that of the whole face, laid anew as
+    /// it grows. So nothing creeps around a curved hull triangle by triangle. A
+    /// triangle that faces the other way joins only if it is a sliver, lower
+    /// than `tolerance`, whose own direction is rounding.
+    pub(super) fn merge(vertices: &[DVec3], triangles: &[[u32; 3]], tolerance: f64) -> Self {
+        let mut merger = Merger::new(vertices, triangles);
+        let mut order: Vec<u32> = (0..triangles.len() as u32).collect();
+        let size = |t: &u32| merger.areas[*t as usize].length_squared();
+        order.sort_by(|s, t| size(t).total_cmp(&size(s)).then(s.cmp(t)));
+        let mut groups = 0;
+        for seed in order {
+            if merger.group[seed as usize] == NONE {
+                merger.grow(seed, groups, tolerance);
+                groups += 1;
+            }
         }
+        merger.finish()
     }
-    merger.finish()
+
+    /// The vertices that are the end of an edge, in their order.
+    pub(super) fn corners(&self, vertices: &[DVec3]) -> Vec<DVec3> {
+        let mut corner = vec![false; vertices.len()];
+        for &vertex in self.edges.iter().flat_map(|edge| &edge.vertices) {
+            corner[vertex as usize] = true;
+        }
+        (vertices.iter().zip(corner))
+            .filter_map(|(&vertex, corner)| corner.then_some(vertex))
+            .collect()
+    }
+
+    /// For each face the largest `normal · x` over all vertices, as rounded.
+    ///
+    /// Asks the face's own vertices and those of the hull within rounding of the
+    /// summit, instead of all.
+    pub(super) fn offsets(
+        &self,
+        vertices: &[DVec3],
+        triangles: &[[u32; 3]],
+        support: &Support,
+        tolerance: f64,
+    ) -> Vec<f64> {
+        let largest = (vertices.iter())
+            .map(|vertex| vertex.abs().max_element())
+            .fold(0.0, f64::max);
+        let slack = tolerance + 16.0 * f64::EPSILON * largest;
+        let mut seen = Seen::new(vertices.len());
+        let mut offsets: Vec<f64> = (self.normals.iter())
+            .map(|&normal| support.visit_summit(vertices, normal, slack, &mut seen))
+            .collect();
+        for (corners, &face) in triangles.iter().zip(&self.of_triangle) {
+            let normal = self.normals[face as usize];
+            let offset = &mut offsets[face as usize];
+            for &corner in corners {
+                *offset = offset.max(normal.dot(vertices[corner as usize]));
+            }
+        }
+        offsets
+    }
 }
 
 struct Merger<'a> {
     vertices: &'a [DVec3],
     triangles: &'a [[u32; 3]],
-    neighbours: &'a [[u32; 3]],
+    neighbours: Vec<[u32; 3]>,
     /// Normals of the triangles, twice their area long.
     areas: Vec<DVec3>,
     /// Longest side of each triangle.
@@ -63,14 +102,14 @@ struct Merger<'a> {
 }
 
 impl<'a> Merger<'a> {
-    fn new(vertices: &'a [DVec3], triangles: &'a [[u32; 3]], neighbours: &'a [[u32; 3]]) -> Self {
+    fn new(vertices: &'a [DVec3], triangles: &'a [[u32; 3]]) -> Self {
         let (areas, longest) = (triangles.iter())
             .map(|corners| area_and_longest(corners.map(|c| vertices[c as usize])))
             .unzip();
         Self {
             vertices,
             triangles,
-            neighbours,
+            neighbours: topology::neighbours(triangles),
             areas,
             longest,
             group: vec![NONE; triangles.len()],
@@ -83,7 +122,7 @@ impl<'a> Merger<'a> {
         // A group with a hole, or one that touches itself, is no face: with a
         // finer tolerance it will be, and at the latest when it is one triangle.
         for tolerance in [tolerance, tolerance / 4.0, tolerance / 16.0] {
-            let mut normal = self.areas[seed as usize].normalize_or_zero();
+            let mut normal = unit(self.areas[seed as usize]);
             let mut size = 0;
             self.members.clear();
             for _ in 0..FITS {
@@ -94,7 +133,7 @@ impl<'a> Merger<'a> {
                 size = self.members.len();
                 normal = self.normal_of_members();
             }
-            if self.members.len() == 1 || self.rim(self.members[0], group).is_some() {
+            if self.members.len() == 1 || self.rim(group).is_some() {
                 return;
             }
             self.release();
@@ -110,10 +149,8 @@ impl<'a> Merger<'a> {
     }
 
     fn normal_of_members(&self) -> DVec3 {
-        (self.members.iter())
-            .map(|&member| self.areas[member as usize])
-            .sum::<DVec3>()
-            .normalize_or_zero()
+        let areas = self.members.iter().map(|&t| self.areas[t as usize]);
+        unit(areas.sum())
     }
 
     /// Takes into the group what can be reached from `seed` and is flat.
@@ -158,16 +195,12 @@ impl<'a> Merger<'a> {
 
     /// The vertices around the group, if its border is one loop that does not
     /// touch itself: then the group is a disc.
-    fn rim(&self, member: u32, group: u32) -> Option<Vec<u32>> {
+    fn rim(&self, group: u32) -> Option<Vec<u32>> {
         let inside =
             |t: u32, slot: usize| self.group[self.neighbours[t as usize][slot] as usize] == group;
         let mut border = 0;
         let mut start = None;
-        for &t in if self.members.is_empty() {
-            std::slice::from_ref(&member)
-        } else {
-            &self.members[..]
-        } {
+        for &t in &self.members {
             for slot in 0..3 {
                 if !inside(t, slot) {
                     border += 1;
@@ -210,6 +243,8 @@ impl<'a> Merger<'a> {
         for group in &mut self.group {
             *group = face_of[*group as usize];
         }
+        let count = self.vertices.len() as f64;
+        let inside: DVec3 = self.vertices.iter().map(|&v| v / count).sum();
         let mut faces = Faces {
             normals: Vec::with_capacity(members.len()),
             rims: Lists::new(),
@@ -219,8 +254,14 @@ impl<'a> Merger<'a> {
         for (face, members) in members.into_iter().enumerate() {
             self.members = members;
             let normal = self.normal_of_members();
+            // Triangles too thin for any normal: outwards is all there is to say.
+            let normal = if normal == DVec3::ZERO {
+                (self.middle(self.members[0]) - inside).normalize_or(DVec3::Z)
+            } else {
+                normal
+            };
             faces.normals.push(normal);
-            let rim = self.rim(self.members[0], face as u32);
+            let rim = self.rim(face as u32);
             debug_assert!(rim.is_some(), "face {face} is no disc");
             faces.rims.push(rim.into_iter().flatten());
             for &t in &self.members {
@@ -240,6 +281,17 @@ impl<'a> Merger<'a> {
         faces.edges.sort_unstable_by_key(|edge| edge.vertices);
         faces.of_triangle = self.group;
         faces
+    }
+}
+
+/// Of length one, or zero. Divides instead of multiplying by the reciprocal, so
+/// that a face along the axes gets an exact normal.
+fn unit(vector: DVec3) -> DVec3 {
+    let length = vector.length();
+    if length > 0.0 {
+        vector / length
+    } else {
+        DVec3::ZERO
     }
 }
 

@@ -2,6 +2,8 @@
 
 use super::orient::side;
 use super::simplex::simplex;
+use super::support::Support;
+use super::topology::vertex_neighbours;
 use super::trim::trim;
 use crate::error::ShapeError;
 use glam::DVec3;
@@ -14,6 +16,50 @@ pub(super) struct Hull {
     pub(super) triangles: Vec<[u32; 3]>,
     /// How thick the points are, in metres, to within a small factor.
     pub(super) thickness: f64,
+}
+
+impl Hull {
+    /// The triangles by the numbers of the points.
+    pub(super) fn triangles_of_points(&self) -> impl Iterator<Item = [u32; 3]> {
+        (self.triangles.iter()).map(|corners| corners.map(|c| self.vertices[c as usize]))
+    }
+
+    /// Vertices by themselves, and the triangles that name them.
+    pub(super) fn into_mesh(self, points: &[DVec3]) -> (Vec<DVec3>, Vec<[u32; 3]>) {
+        let vertices = self.vertices.iter().map(|&v| points[v as usize]).collect();
+        (vertices, self.triangles)
+    }
+
+    /// The corners' mean: a point inside.
+    pub(super) fn middle(&self, points: &[DVec3]) -> DVec3 {
+        let count = self.vertices.len() as f64;
+        (self.vertices.iter())
+            .map(|&vertex| points[vertex as usize] / count)
+            .sum()
+    }
+
+    /// How to find the farthest of the points.
+    pub(super) fn support(&self, points: &[DVec3]) -> Support {
+        let triangles: Vec<[u32; 3]> = self.triangles_of_points().collect();
+        let climb = vertex_neighbours(points.len(), &triangles);
+        Support::new(points, climb, self.vertices.first().copied().unwrap_or(0))
+    }
+
+    /// What rounding may have moved the points by, in metres: 16 ulp of the
+    /// largest coordinate. A rotation and a shift cost about four.
+    pub(super) fn rounding(&self, points: &[DVec3]) -> f64 {
+        let largest = (self.vertices.iter())
+            .map(|&vertex| points[vertex as usize].abs().max_element())
+            .fold(0.0, f64::max);
+        16.0 * f64::EPSILON * largest
+    }
+
+    /// How far the vertices of one face may lie from its plane, in metres:
+    /// their rounding, but never so much that the two sides of a thin body
+    /// become one.
+    pub(super) fn flatness(&self, points: &[DVec3]) -> f64 {
+        self.rounding(points).min(1e-3 * self.thickness)
+    }
 }
 
 /// A triangle of the growing hull.

@@ -42,8 +42,7 @@ impl Lists {
         self.starts.push(self.items.len() as u32);
     }
 
-    pub(super) fn get(&self, list: u32) -> &[u32] {
-        let list = list as usize;
+    pub(super) fn get(&self, list: usize) -> &[u32] {
         &self.items[self.starts[list] as usize..self.starts[list + 1] as usize]
     }
 
