@@ -1,6 +1,7 @@
 //! Continuous collision detection by casting rays.
 
 mod curve;
+pub mod early_out;
 pub mod error;
 pub mod geometry;
 mod math;
