@@ -184,6 +184,12 @@ pub enum PathError {
         /// The least length allowed.
         min: f64,
     },
+    /// A row of an arc-length table does not continue the row before it, or there is no row.
+    #[error("row {row} of the arc-length table is missing or does not continue the row before it")]
+    TableRow {
+        /// Index of the row.
+        row: usize,
+    },
 }
 
 /// A motion cannot be built from what was given.

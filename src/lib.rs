@@ -5,10 +5,12 @@ pub mod early_out;
 pub mod error;
 pub mod geometry;
 mod math;
+mod motion;
 pub mod tolerance;
 
-pub use curve::CubicBezier;
+pub use curve::{ArcLengthRow, ArcLengthTable, CubicBezier, Spline};
 pub use error::{MotionError, PathError, ShapeError, ValueError};
 pub use geometry::{
     Aabb, Cuboid, Edge, Face, Feature, Obb, Polytope, Pose, Ray, Shape, Sphere, Triangle,
 };
+pub use motion::Path;

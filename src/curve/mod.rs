@@ -1,5 +1,18 @@
 //! Curves a body can follow.
+//!
+//! A caller gives points to fly through and tangents there (Hermite form); every
+//! two successive points make a piece, a cubic Bézier curve; the pieces make a
+//! spline that is walked by distance flown, so that a body keeps its speed.
 
+mod arc_length;
 mod bezier;
+mod hermite;
+mod hodograph;
+mod quadratic;
+mod span;
+mod spline;
+mod table;
 
 pub use bezier::CubicBezier;
+pub use spline::Spline;
+pub use table::{ArcLengthRow, ArcLengthTable};

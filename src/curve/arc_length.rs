@@ -1,0 +1,139 @@
+//! From distance flown to place on a sequence of curves, and back.
+
+use crate::curve::CubicBezier;
+use crate::curve::span::{self, Span};
+
+/// Arc length over a sequence of curves: exact, both ways, in constant time.
+///
+/// Every curve is cut into spans on which one quadrature rule is exact to
+/// rounding. A distance finds its span through a grid of equal cells, one per span,
+/// and a bisection among the spans that start in its cell; on the span the integral
+/// is inverted by iteration.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct ArcLength {
+    /// Distance from the path's start to each span's; ascending.
+    starts: Vec<f64>,
+    spans: Vec<PieceSpan>,
+    /// How many spans start in an earlier cell; one entry more than cells.
+    cells: Vec<usize>,
+    cells_per_metre: f64,
+    length: f64,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct PieceSpan {
+    piece: usize,
+    span: Span,
+}
+
+impl ArcLength {
+    /// Measures `pieces`. If one is shorter than `min_piece`: its index and length.
+    pub(crate) fn measure(pieces: &[CubicBezier], min_piece: f64) -> Result<Self, (usize, f64)> {
+        let mut starts = Vec::with_capacity(pieces.len());
+        let mut spans = Vec::with_capacity(pieces.len());
+        let mut sum = Sum::default();
+        for (piece, curve) in pieces.iter().enumerate() {
+            let mut length = 0.0;
+            span::subdivide(&curve.velocity(), 0.0..1.0, |span| {
+                starts.push(sum.value());
+                spans.push(PieceSpan { piece, span });
+                sum.add(span.length);
+                length += span.length;
+            });
+            // A NaN would be refused as well.
+            if !(length >= min_piece) {
+                return Err((piece, length));
+            }
+        }
+        let mut arc_length = Self {
+            cells: Vec::with_capacity(spans.len() + 1),
+            cells_per_metre: spans.len() as f64 / sum.value(),
+            length: sum.value(),
+            starts,
+            spans,
+        };
+        for (index, start) in arc_length.starts.iter().enumerate() {
+            let cell = arc_length.cell(*start);
+            while arc_length.cells.len() <= cell {
+                arc_length.cells.push(index);
+            }
+        }
+        let count = arc_length.spans.len();
+        arc_length.cells.resize(count + 1, count);
+        Ok(arc_length)
+    }
+
+    /// Length of all curves together.
+    pub(crate) fn length(&self) -> f64 {
+        self.length
+    }
+
+    /// The curve and parameter at `distance`, which is clamped; NaN counts as 0.
+    pub(crate) fn locate(&self, pieces: &[CubicBezier], distance: f64) -> (usize, f64) {
+        if distance >= self.length {
+            return (pieces.len() - 1, 1.0);
+        }
+        let distance = distance.max(0.0);
+        let cell = self.cell(distance);
+        // `cell` never falls as its argument rises, so spans that start in an
+        // earlier cell start earlier, and those in a later cell start later.
+        let first = self.cells[cell];
+        let same_cell = &self.starts[first..self.cells[cell + 1]];
+        let index = first + same_cell.partition_point(|start| *start <= distance);
+        let index = index.saturating_sub(1);
+        let PieceSpan { piece, span } = self.spans[index];
+        let hodograph = pieces[piece].hodograph(span.u_start, span.width);
+        let x = span.invert(&hodograph, distance - self.starts[index]);
+        (piece, (span.u_start + x * span.width).min(1.0))
+    }
+
+    /// The distance at parameter `u` of `piece`; places beyond the ends are clamped.
+    pub(crate) fn distance_at(&self, pieces: &[CubicBezier], piece: usize, u: f64) -> f64 {
+        if piece >= pieces.len() {
+            return self.length;
+        }
+        let u = u.max(0.0);
+        let after = self.spans.partition_point(|candidate| {
+            candidate.piece < piece || candidate.piece == piece && candidate.span.u_start <= u
+        });
+        let index = after.saturating_sub(1);
+        let PieceSpan { span, .. } = self.spans[index];
+        let end = self.starts.get(index + 1).copied().unwrap_or(self.length);
+        let x = (u - span.u_start) / span.width;
+        if x >= 1.0 {
+            return end;
+        }
+        let hodograph = pieces[piece].hodograph(span.u_start, span.width);
+        (self.starts[index] + hodograph.length_to(x)).min(end)
+    }
+
+    fn cell(&self, distance: f64) -> usize {
+        let cell = distance * self.cells_per_metre;
+        // `as` saturates and takes NaN to 0.
+        (cell as usize).min(self.spans.len() - 1)
+    }
+}
+
+/// A running sum that carries what rounding drops (Kahan, Babuška and Neumaier),
+/// for terms that are not negative: ten thousand pieces cost no digits.
+#[derive(Default)]
+struct Sum {
+    sum: f64,
+    dropped: f64,
+}
+
+impl Sum {
+    fn add(&mut self, term: f64) {
+        let sum = self.sum + term;
+        self.dropped += if self.sum >= term {
+            (self.sum - sum) + term
+        } else {
+            (term - sum) + self.sum
+        };
+        self.sum = sum;
+    }
+
+    fn value(&self) -> f64 {
+        self.sum + self.dropped
+    }
+}

@@ -1,0 +1,5 @@
+//! How bodies move.
+
+mod path;
+
+pub use path::Path;
