@@ -1,11 +1,13 @@
 //! Continuous collision detection by casting rays.
 
+pub mod broad_phase;
 mod curve;
 pub mod early_out;
 pub mod error;
 pub mod geometry;
 mod math;
 mod motion;
+pub mod sweep;
 pub mod tolerance;
 
 pub use curve::{ArcLengthRow, ArcLengthTable, CubicBezier, Spline};

@@ -53,7 +53,9 @@ impl Double {
 }
 
 fn dot(a: [Double; 3], b: [Double; 3]) -> Double {
-    a[0].times(b[0]).plus(a[1].times(b[1])).plus(a[2].times(b[2]))
+    a[0].times(b[0])
+        .plus(a[1].times(b[1]))
+        .plus(a[2].times(b[2]))
 }
 
 fn exact(v: DVec3) -> [Double; 3] {
@@ -62,7 +64,10 @@ fn exact(v: DVec3) -> [Double; 3] {
 
 /// Square of the least distance, as a quotient, of the moving centres.
 fn least_distance_squared(between: DVec3, motion: DVec3) -> (Double, Double) {
-    let one = Double { high: 1.0, low: 0.0 };
+    let one = Double {
+        high: 1.0,
+        low: 0.0,
+    };
     let (m, v) = (exact(between), exact(motion));
     let (mm, mv, vv) = (dot(m, m), dot(m, v), dot(v, v));
     if mv.high <= 0.0 {
@@ -165,7 +170,9 @@ fn grazes_are_never_rejected() {
         let between = random.scale(12.0) * random.vector();
         let motion = match case % 3 {
             // Nearly along the line of centres, then anywhere.
-            0 => between * random.scale(2.0) + between.length() * random.scale(8.0) * random.vector(),
+            0 => {
+                between * random.scale(2.0) + between.length() * random.scale(8.0) * random.vector()
+            }
             _ => random.scale(12.0) * random.vector(),
         };
         let (numerator, denominator) = least_distance_squared(between, motion);

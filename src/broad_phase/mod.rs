@@ -1,0 +1,18 @@
+//! Broad phase: which pairs of bodies are worth a look at all.
+//!
+//! Every body lies in a [`Volume`] around its whole path; two bodies whose
+//! volumes do not overlap can never touch. The overlapping pairs, found once and
+//! kept up to date, are the only ones looked at in each frame.
+//!
+//! Source: the thesis, §2.3.2 and §3.12.
+
+mod axes;
+mod bounds;
+mod config;
+mod pair_list;
+mod rays;
+
+pub use axes::obb_overlap_by_axes;
+pub use config::{BroadPhase, ObbTest};
+pub use pair_list::{PairList, Volume};
+pub use rays::obb_overlap_by_rays;
