@@ -10,10 +10,11 @@ pub mod motion;
 pub mod narrow_phase;
 pub mod raycast;
 pub mod sampling;
+pub mod sweep;
 pub mod tolerance;
 pub mod world;
 
-pub use broad_phase::BroadPhase;
+pub use broad_phase::{BroadPhase, ObbTest};
 pub use curve::{ArcLengthRow, ArcLengthTable, CubicBezier, Spline};
 pub use error::{
     BodyError, ConfigError, FirstContactError, MotionError, PathError, ShapeError, StepError,

@@ -196,10 +196,17 @@ impl<'a> Shadow<'a> {
         /// Share of the body's size that is close. The refinement comes within
         /// a thousandth of this.
         const CLOSE: f64 = 1e-6;
-        let Surface::Facets(facets) = &self.surface else { return false };
+        let Surface::Facets(facets) = &self.surface else {
+            return false;
+        };
         let at = DVec2::new(x, y) - self.centre.truncate();
         let limit = depth - self.centre.z + CLOSE * self.size;
-        facets.far.iter().filter(|facet| facet.at(at) <= limit).count() > 1
+        facets
+            .far
+            .iter()
+            .filter(|facet| facet.at(at) <= limit)
+            .count()
+            > 1
     }
 
     /// Outward unit normal and feature where the line through `(x, y)` enters

@@ -1,0 +1,73 @@
+//! Axis-aligned bounds of the volumes: the cheap test before the dear one.
+
+use super::Volume;
+use crate::geometry::{Aabb, Obb};
+use glam::DVec3;
+
+/// A slot as the pair list remembers it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Slot {
+    /// Around the volume; all of space if it is unbounded.
+    pub(super) aabb: Aabb,
+    pub(super) kind: Kind,
+}
+
+/// What is in a slot.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Kind {
+    Vacant,
+    Fixed,
+    Moving,
+}
+
+impl Slot {
+    pub(super) const VACANT: Self = Self {
+        aabb: Aabb::EMPTY,
+        kind: Kind::Vacant,
+    };
+
+    pub(super) fn of(volume: Option<&Volume>) -> Self {
+        volume.map_or(Self::VACANT, |volume| Self {
+            aabb: volume.obb.as_ref().map_or(EVERYWHERE, around),
+            kind: if volume.moving {
+                Kind::Moving
+            } else {
+                Kind::Fixed
+            },
+        })
+    }
+
+    pub(super) fn is_vacant(&self) -> bool {
+        self.kind == Kind::Vacant
+    }
+
+    pub(super) fn is_moving(&self) -> bool {
+        self.kind == Kind::Moving
+    }
+}
+
+const EVERYWHERE: Aabb = Aabb {
+    min: DVec3::NEG_INFINITY,
+    max: DVec3::INFINITY,
+};
+
+/// The axis-aligned box around an oriented one, rounded outward.
+fn around(obb: &Obb) -> Aabb {
+    let half = obb.half_extents;
+    let reach =
+        half.x * obb.axes[0].abs() + half.y * obb.axes[1].abs() + half.z * obb.axes[2].abs();
+    // The sum of three products is off by 3 × 2⁻⁵³, each end by one rounding more,
+    // and touching boxes may be told apart by the rounding of the very point in
+    // which they touch, or by axes perpendicular to 8: 16 cover that.
+    let reach = reach + 8.0 * f64::EPSILON * (obb.centre.abs() + reach);
+    let aabb = Aabb {
+        min: obb.centre - reach,
+        max: obb.centre + reach,
+    };
+    // A NaN would overlap nothing.
+    if aabb.min.is_finite() && aabb.max.is_finite() {
+        aabb
+    } else {
+        EVERYWHERE
+    }
+}
