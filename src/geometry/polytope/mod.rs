@@ -1,6 +1,7 @@
 //! Convex polytopes.
 
 mod bounding_sphere;
+mod face_map;
 mod faces;
 mod hull;
 mod mesh_check;
@@ -14,6 +15,7 @@ use crate::error::ShapeError;
 use crate::math::domain;
 use crate::tolerance::MAX_LENGTH;
 use bounding_sphere::bounding_sphere;
+use face_map::FaceMap;
 use faces::Faces;
 use glam::DVec3;
 use hull::convex_hull;
@@ -84,6 +86,7 @@ pub struct Polytope {
     /// The vertices around each face.
     rims: Lists,
     support: Support,
+    face_map: FaceMap,
     centre: DVec3,
     max_dist: f64,
 }
@@ -188,7 +191,7 @@ impl Polytope {
         tolerance: f64,
     ) -> Self {
         let (centre, max_dist) = bounding_sphere(&vertices);
-        Self {
+        let mut polytope = Self {
             offsets: faces.offsets(&vertices, &triangles, &support, tolerance),
             vertices,
             triangles,
@@ -197,9 +200,12 @@ impl Polytope {
             normals: faces.normals,
             rims: faces.rims,
             support,
+            face_map: FaceMap::default(),
             centre,
             max_dist,
-        }
+        };
+        polytope.face_map = FaceMap::of(&polytope);
+        polytope
     }
 
     /// The vertices in metres.
@@ -212,6 +218,11 @@ impl Polytope {
     #[must_use]
     pub fn triangles(&self) -> &[[u32; 3]] {
         &self.triangles
+    }
+
+    /// The faces by place and neighbourhood.
+    pub(crate) fn face_map(&self) -> &FaceMap {
+        &self.face_map
     }
 
     /// The face each triangle is part of.
