@@ -26,6 +26,19 @@ pub(super) struct Crossing {
     pub(super) tied: bool,
 }
 
+/// Whether `line` passes the polytope's bounding sphere by.
+///
+/// Compares squares, which are off by a few ulp of the distance's; the margin is
+/// twice that.
+#[inline]
+pub(super) fn passes_by(polytope: &Polytope, line: &Line, growth: f64) -> bool {
+    let offset = line.origin - polytope.centre();
+    let radius = polytope.max_dist() + 4.0 * growth;
+    let along = offset.dot(line.direction);
+    let distance = offset.length_squared() * (1.0 - 32.0 * f64::EPSILON);
+    (distance - radius * radius) * line.direction.length_squared() > along * along
+}
+
 /// The piece of `line` in the polytope's bounding box grown by `growth`.
 #[inline]
 pub(super) fn gates(polytope: &Polytope, line: &Line, growth: f64) -> Option<(Gate, Gate)> {
@@ -134,8 +147,11 @@ fn first(
             let (rate, room) = approach(neighbour);
             // What is left of the room at the current crossing.
             let left = room - here * rate;
+            if left > 2.0 * growth {
+                continue;
+            }
             if rate < 0.0 {
-                tied |= left <= 2.0 * growth;
+                tied = true;
                 // Strictly larger, so that no face comes twice and the walk ends.
                 let crossing = room / rate;
                 if crossing > fraction {
