@@ -61,10 +61,11 @@ pub(super) fn gates(polytope: &Polytope, line: &Line, growth: f64) -> Option<(Ga
             }
             continue;
         }
+        let inverse = 1.0 / direction;
         let (near, far, side) = if direction > 0.0 {
-            (low / direction, high / direction, 2 * axis)
+            (low * inverse, high * inverse, 2 * axis)
         } else {
-            (high / direction, low / direction, 2 * axis + 1)
+            (high * inverse, low * inverse, 2 * axis + 1)
         };
         if near > enter.fraction {
             enter = Gate {
@@ -120,12 +121,11 @@ fn first(
     gate: &Gate,
     growth: f64,
 ) -> Option<Crossing> {
-    let (normals, offsets) = (polytope.face_normals(), polytope.face_offsets());
     let map = polytope.face_map();
     // How fast the line nears the face's grown plane (negative), and its room before it.
     let approach = |face: u32| {
-        let normal = normals[face as usize];
-        let room = offsets[face as usize] + growth - normal.dot(origin);
+        let (normal, offset) = map.plane(face);
+        let room = offset + growth - normal.dot(origin);
         (normal.dot(direction), room)
     };
     let mut face = map.near(gate.side, origin + gate.fraction * direction);
