@@ -26,9 +26,22 @@ impl Slot {
         kind: Kind::Vacant,
     };
 
+    /// The slot of a volume, with its bounds.
     pub(super) fn of(volume: Option<&Volume>) -> Self {
+        let slot = Self::unbounded(volume);
+        match volume.and_then(|volume| volume.obb.as_ref()) {
+            Some(obb) => Self {
+                aabb: around(obb),
+                ..slot
+            },
+            None => slot,
+        }
+    }
+
+    /// The slot of a volume that is taken to be all of space.
+    pub(super) fn unbounded(volume: Option<&Volume>) -> Self {
         volume.map_or(Self::VACANT, |volume| Self {
-            aabb: volume.obb.as_ref().map_or(EVERYWHERE, around),
+            aabb: EVERYWHERE,
             kind: if volume.moving {
                 Kind::Moving
             } else {
@@ -39,10 +52,6 @@ impl Slot {
 
     pub(super) fn is_vacant(&self) -> bool {
         self.kind == Kind::Vacant
-    }
-
-    pub(super) fn is_moving(&self) -> bool {
-        self.kind == Kind::Moving
     }
 }
 
