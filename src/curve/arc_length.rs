@@ -40,8 +40,8 @@ impl ArcLength {
                 sum.add(span.length);
                 length += span.length;
             });
-            // A NaN would be refused as well.
-            if !(length >= min_piece) {
+            debug_assert!(length.is_finite(), "piece {piece} has length {length}");
+            if length < min_piece {
                 return Err((piece, length));
             }
         }

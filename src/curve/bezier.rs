@@ -6,7 +6,7 @@ use crate::math::domain;
 use crate::tolerance::MAX_COORDINATE;
 use glam::DVec3;
 
-/// Below this share of a curve's greatest speed the direction of its velocity is
+/// Below this share of a curve's largest velocity component the direction of its velocity is
 /// mostly rounding: 1e-12 leaves 3 to 4 digits of it.
 const STANDSTILL: f64 = 1e-12;
 
@@ -115,18 +115,13 @@ impl CubicBezier {
     /// The derivative by `u`, in metres.
     #[must_use]
     pub fn derivative(&self, u: f64) -> DVec3 {
-        let u = clamped(u);
-        let [v0, v1, v2] = self.velocity();
-        let rest = 1.0 - u;
-        rest * rest * v0 + 2.0 * u * rest * v1 + u * u * v2
+        first_derivative(self.velocity(), clamped(u))
     }
 
     /// The second derivative by `u`, in metres.
     #[must_use]
     pub fn second_derivative(&self, u: f64) -> DVec3 {
-        let u = clamped(u);
-        let [v0, v1, v2] = self.velocity();
-        2.0 * ((1.0 - u) * (v1 - v0) + u * (v2 - v1))
+        second_derivative(self.velocity(), clamped(u))
     }
 
     /// The unit tangent at `u`, or none if all four control points coincide.
@@ -137,20 +132,18 @@ impl CubicBezier {
     #[must_use]
     pub fn tangent(&self, u: f64) -> Option<DVec3> {
         let u = clamped(u);
-        let velocity = self.velocity();
-        let size = velocity.into_iter().map(DVec3::length).fold(0.0, f64::max);
-        let moves = |vector: &DVec3| vector.length() > STANDSTILL * size;
+        let (velocity, _) = self.unit_velocity()?;
         let [v0, v1, v2] = velocity;
         let side = if u < 0.5 { 1.0 } else { -1.0 };
         // The first term of the derivative's Taylor series that does not vanish.
         [
-            self.derivative(u),
-            side * self.second_derivative(u),
+            first_derivative(velocity, u),
+            side * second_derivative(velocity, u),
             v0 - 2.0 * v1 + v2,
         ]
         .into_iter()
-        .find(moves)
-        .and_then(unit)
+        .find(|vector| vector.length() > STANDSTILL)
+        .and_then(DVec3::try_normalize)
     }
 
     /// Length of the curve between two parameters, in either order, in metres.
@@ -161,16 +154,9 @@ impl CubicBezier {
     #[must_use]
     pub fn length_between(&self, u_from: f64, u_to: f64) -> f64 {
         let (u_from, u_to) = (clamped(u_from), clamped(u_to));
-        let velocity = self.velocity();
-        // To unit size, so that no square underflows: every size has a length.
-        let size = velocity
-            .into_iter()
-            .map(|vector| vector.abs().max_element())
-            .fold(0.0, f64::max);
-        if size < f64::MIN_POSITIVE {
+        let Some((velocity, size)) = self.unit_velocity() else {
             return 0.0;
-        }
-        let velocity = velocity.map(|vector| vector / size);
+        };
         let (low, high) = (u_from.min(u_to), u_from.max(u_to));
         let mut length = 0.0;
         span::subdivide(&velocity, low..high, |span| length += span.length);
@@ -208,6 +194,19 @@ impl CubicBezier {
         [3.0 * (b1 - b0), 3.0 * (b2 - b1), 3.0 * (b3 - b2)]
     }
 
+    /// [`velocity`](Self::velocity) over its largest component, and that: no
+    /// square of it underflows, so curves of every size have lengths and tangents.
+    /// None if all control points coincide.
+    fn unit_velocity(&self) -> Option<([DVec3; 3], f64)> {
+        let velocity = self.velocity();
+        let largest = velocity
+            .into_iter()
+            .map(|vector| vector.abs().max_element())
+            .fold(0.0, f64::max);
+        // Below that, too little is left of the digits to divide by.
+        (largest >= f64::MIN_POSITIVE).then(|| (velocity.map(|vector| vector / largest), largest))
+    }
+
     /// The velocity over a stretch of the curve.
     pub(crate) fn hodograph(&self, u_start: f64, width: f64) -> Hodograph {
         Hodograph::over(&self.velocity(), u_start, width)
@@ -216,11 +215,17 @@ impl CubicBezier {
 
 /// `u` within `0..=1`; NaN counts as 0.
 fn clamped(u: f64) -> f64 {
-    // `max` takes the number when the other is NaN.
-    u.max(0.0).min(1.0)
+    // `max` takes the other when one is NaN; `clamp` alone would let NaN through.
+    u.max(0.0).clamp(0.0, 1.0)
 }
 
-/// `vector` of unit length, however small it is.
-fn unit(vector: DVec3) -> Option<DVec3> {
-    (vector / vector.abs().max_element()).try_normalize()
+/// The derivative at `u`, from its control points.
+fn first_derivative([v0, v1, v2]: [DVec3; 3], u: f64) -> DVec3 {
+    let rest = 1.0 - u;
+    rest * rest * v0 + 2.0 * u * rest * v1 + u * u * v2
+}
+
+/// The second derivative at `u`, from the control points of the first.
+fn second_derivative([v0, v1, v2]: [DVec3; 3], u: f64) -> DVec3 {
+    2.0 * ((1.0 - u) * (v1 - v0) + u * (v2 - v1))
 }
