@@ -143,6 +143,12 @@ pub enum ShapeError {
         /// How far outside, in metres.
         distance: f64,
     },
+    /// The triangles go round the body more than once.
+    #[error("the surface covers the body {layers} times")]
+    Overlapping {
+        /// How many times.
+        layers: usize,
+    },
     /// The triangles form more than one surface.
     #[error("triangle {triangle} is not connected to triangle 0")]
     NotConnected {

@@ -1,0 +1,189 @@
+//! The farthest vertex along a direction.
+
+use super::topology::Lists;
+use glam::DVec3;
+
+/// Up to this many vertices are compared one by one; with more, climbing over
+/// edges is faster. Measured by `benches/polytope.rs`; only time depends on it.
+const SCAN: usize = 40;
+
+/// Vertices per cell of the table of starts: with four a climb takes about two
+/// steps, and the table is small beside the vertices.
+const VERTICES_PER_CELL: usize = 4;
+
+/// How to find the farthest vertex of a convex body.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Support {
+    /// For each vertex of the exact hull those it shares an edge with; nothing
+    /// for a vertex that is no corner of the hull. A summit on this graph is *the*
+    /// summit; on a mesh that is convex to within rounding it need not be.
+    climb: Lists,
+    /// Each side of a cube around the origin has `cells × cells` cells.
+    cells: usize,
+    /// For each cell the farthest vertex along its middle; empty if vertices are scanned.
+    starts: Vec<u32>,
+}
+
+impl Support {
+    /// `first` is a corner of the hull.
+    pub(super) fn new(vertices: &[DVec3], climb: Lists, first: u32) -> Self {
+        let mut support = Self {
+            climb,
+            cells: ((vertices.len() / (6 * VERTICES_PER_CELL)) as f64)
+                .sqrt()
+                .ceil() as usize,
+            starts: Vec::new(),
+        };
+        if vertices.len() > SCAN {
+            support.cells = support.cells.max(1);
+            let mut start = first;
+            for cell in 0..6 * support.cells * support.cells {
+                start = support.climb(vertices, support.middle(cell), start);
+                support.starts.push(start);
+            }
+        }
+        support
+    }
+
+    /// A vertex farthest along `direction`.
+    pub(super) fn vertex(&self, vertices: &[DVec3], direction: DVec3) -> u32 {
+        match self.starts.get(self.cell(direction)) {
+            Some(&start) => self.climb(vertices, direction, start),
+            None => scan(vertices, direction),
+        }
+    }
+
+    /// All corners of the hull that may be as far along `normal` as any, to
+    /// within `slack`; of a convex body they hang together.
+    pub(super) fn visit_summit(
+        &self,
+        vertices: &[DVec3],
+        normal: DVec3,
+        slack: f64,
+        seen: &mut Seen,
+    ) -> f64 {
+        let reach = |vertex: u32| normal.dot(vertices[vertex as usize]);
+        let summit = self.vertex(vertices, normal);
+        let mut most = reach(summit);
+        let floor = most - slack;
+        seen.clear();
+        seen.push(summit);
+        let mut next = 0;
+        while let Some(&vertex) = seen.list.get(next) {
+            next += 1;
+            for &neighbour in self.climb.get(vertex as usize) {
+                let height = reach(neighbour);
+                if height >= floor {
+                    most = most.max(height);
+                    seen.push(neighbour);
+                }
+            }
+        }
+        most
+    }
+
+    /// From neighbour to higher neighbour. Heights are taken from differences
+    /// of vertices: seen from afar, all of a cluster's vertices look equally high.
+    fn climb(&self, vertices: &[DVec3], direction: DVec3, start: u32) -> u32 {
+        let mut best = start;
+        // Rounding may make some neighbours each higher than the other; the
+        // bound keeps them from sending us round for ever.
+        for _ in 0..vertices.len() {
+            let here = vertices[best as usize];
+            let (mut gain, mut higher) = (0.0, best);
+            for &neighbour in self.climb.get(best as usize) {
+                let height = direction.dot(vertices[neighbour as usize] - here);
+                // NaN is no gain.
+                if height > gain {
+                    (gain, higher) = (height, neighbour);
+                }
+            }
+            if higher == best {
+                break;
+            }
+            best = higher;
+        }
+        best
+    }
+
+    /// The cell `direction` runs through. NaN and zero get some cell: a cast
+    /// from NaN to an integer gives 0.
+    fn cell(&self, direction: DVec3) -> usize {
+        let size = direction.abs();
+        let axis = if size.x >= size.y && size.x >= size.z {
+            0
+        } else if size.y >= size.z {
+            1
+        } else {
+            2
+        };
+        let main = direction[axis];
+        let place = |other: f64| {
+            let fraction = 0.5 * (other / main.abs() + 1.0);
+            ((fraction * self.cells as f64) as usize).min(self.cells.saturating_sub(1))
+        };
+        let side = 2 * axis + usize::from(main > 0.0);
+        let (row, column) = (
+            place(direction[(axis + 1) % 3]),
+            place(direction[(axis + 2) % 3]),
+        );
+        (side * self.cells + row) * self.cells + column
+    }
+
+    /// The direction through the middle of a cell.
+    fn middle(&self, cell: usize) -> DVec3 {
+        let (side, row, column) = (
+            cell / (self.cells * self.cells),
+            cell / self.cells % self.cells,
+            cell % self.cells,
+        );
+        let place = |index: usize| (2 * index + 1) as f64 / self.cells as f64 - 1.0;
+        let axis = side / 2;
+        let mut direction = DVec3::ZERO;
+        direction[axis] = if side % 2 == 1 { 1.0 } else { -1.0 };
+        direction[(axis + 1) % 3] = place(row);
+        direction[(axis + 2) % 3] = place(column);
+        direction
+    }
+}
+
+/// Each vertex in turn; of equals the first.
+fn scan(vertices: &[DVec3], direction: DVec3) -> u32 {
+    let (mut most, mut farthest) = (f64::NEG_INFINITY, 0);
+    for (vertex, position) in vertices.iter().enumerate() {
+        let reach = direction.dot(*position);
+        // NaN is never farther.
+        if reach > most {
+            (most, farthest) = (reach, vertex as u32);
+        }
+    }
+    farthest
+}
+
+/// A set of vertices, quick to empty.
+pub(super) struct Seen {
+    list: Vec<u32>,
+    listed: Vec<bool>,
+}
+
+impl Seen {
+    pub(super) fn new(count: usize) -> Self {
+        Self {
+            list: Vec::new(),
+            listed: vec![false; count],
+        }
+    }
+
+    fn clear(&mut self) {
+        for &vertex in &self.list {
+            self.listed[vertex as usize] = false;
+        }
+        self.list.clear();
+    }
+
+    fn push(&mut self, vertex: u32) {
+        if !std::mem::replace(&mut self.listed[vertex as usize], true) {
+            self.list.push(vertex);
+        }
+    }
+}

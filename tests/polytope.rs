@@ -1,0 +1,14 @@
+//! Polytopes: hulls of points, meshes, faces, supports, bounding spheres.
+
+#[path = "polytope/checks.rs"]
+mod checks;
+#[path = "polytope/hulls.rs"]
+mod hulls;
+#[path = "polytope/meshes.rs"]
+mod meshes;
+#[path = "polytope/oracle.rs"]
+mod oracle;
+#[path = "polytope/points.rs"]
+mod points;
+#[path = "polytope/queries.rs"]
+mod queries;
