@@ -1,5 +1,7 @@
 //! Early-outs, box against box, and whole pair lists.
 
+#![allow(clippy::unwrap_used, reason = "the scenes are known to be valid")]
+
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use feeler::broad_phase::{
     BroadPhase, ObbTest, PairList, Volume, obb_overlap_by_axes, obb_overlap_by_rays,

@@ -1,5 +1,10 @@
 //! Boxes around motions: dense samples of the moving body must stay inside.
 
+#![allow(
+    clippy::unwrap_used,
+    reason = "planted input that is refused shall fail the test"
+)]
+
 use feeler::sweep::{along_line, along_spline, around_static, swept_aabb};
 use feeler::{Cuboid, Obb, Polytope, Pose, Shape, Sphere, Spline, Triangle};
 use glam::{DQuat, DVec3};
@@ -55,12 +60,13 @@ fn assert_holds(obb: &Obb, point: DVec3, what: &str) {
     );
 }
 
+/// As far as the margins of the boxes and of the overlap test rely on.
 fn assert_orthonormal(obb: &Obb) {
     for i in 0..3 {
         for j in 0..3 {
             let expected = if i == j { 1.0 } else { 0.0 };
             assert!(
-                (obb.axes[i].dot(obb.axes[j]) - expected).abs() < 1.7e-15,
+                (obb.axes[i].dot(obb.axes[j]) - expected).abs() < 32.0 * 0.5 * f64::EPSILON,
                 "{obb:?}"
             );
         }
@@ -141,6 +147,10 @@ fn triangles_and_polytopes_stay_inside_and_fit() {
         let slack = rounding * (6.0 * size + rounding);
         assert!(surface(obb.half_extents) <= surface(own) + slack);
     }
+    assert!(
+        (4_000..6_000).contains(&polytopes),
+        "lopsided: {polytopes} polytopes"
+    );
 }
 
 /// Points on a sphere, the six tips first.
@@ -285,7 +295,7 @@ fn a_frame_stays_inside_and_fits() {
                 let sum = tip + radius;
                 let part = sum - tip;
                 let error = (tip - (sum - part)) + (radius - part);
-                assert!(end > sum || (end == sum && error <= 0.0));
+                assert!(end > sum || (end >= sum && error <= 0.0));
                 assert!(end <= sum.next_up());
             }
         }

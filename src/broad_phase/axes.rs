@@ -5,19 +5,20 @@ use glam::DVec3;
 
 /// Rounding of every quantity compared, as a share of the boxes' sizes and distance.
 ///
-/// With u = 2⁻⁵³ and axes unit and perpendicular to 16u: a cosine is off by 3u, a
+/// With u = 2⁻⁵³ and axes unit and perpendicular to 32u: a cosine is off by 3u, a
 /// component of the distance d by 4u|d|; the distance along a cross product of
 /// edges by 20u|d|, the boxes' reach along it by 8u of their sizes, both by another
-/// 32u because a × b is taken from the cosines. Together 60u at most; 64u allowed.
-const ROUNDING: f64 = 32.0 * f64::EPSILON;
+/// 64u because a × b is taken from the cosines. Together 92u at most; 128u allowed.
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// Whether two oriented boxes overlap: whether no axis separates them.
 ///
 /// Three face normals of each box and nine cross products of their edges decide.
 /// Sound: boxes that touch or overlap are never called apart, parallel edges
-/// included; boxes closer than some 1e-14 of their size and distance may be
-/// called overlapping. A NaN overlaps everything. The axes must be unit and
-/// perpendicular to rounding.
+/// included. Boxes with a gap of less than 1e-13 of their sizes and distance may be
+/// called overlapping; where only two edges at a small angle to each other
+/// separate them, of less than 1e-13 over its sine, 1e-6 at worst. A NaN overlaps
+/// everything. The axes must be unit and perpendicular to 16 × [`f64::EPSILON`].
 ///
 /// Near-parallel edges have a cross product near zero, along which both the
 /// distance and the boxes' reach are little more than rounding. Both are taken

@@ -26,9 +26,22 @@ impl Slot {
         kind: Kind::Vacant,
     };
 
+    /// The slot of a volume, with its bounds.
     pub(super) fn of(volume: Option<&Volume>) -> Self {
+        let slot = Self::unbounded(volume);
+        match volume.and_then(|volume| volume.obb.as_ref()) {
+            Some(obb) => Self {
+                aabb: around(obb),
+                ..slot
+            },
+            None => slot,
+        }
+    }
+
+    /// The slot of a volume that is taken to be all of space.
+    pub(super) fn unbounded(volume: Option<&Volume>) -> Self {
         volume.map_or(Self::VACANT, |volume| Self {
-            aabb: volume.obb.as_ref().map_or(EVERYWHERE, around),
+            aabb: EVERYWHERE,
             kind: if volume.moving {
                 Kind::Moving
             } else {
@@ -39,10 +52,6 @@ impl Slot {
 
     pub(super) fn is_vacant(&self) -> bool {
         self.kind == Kind::Vacant
-    }
-
-    pub(super) fn is_moving(&self) -> bool {
-        self.kind == Kind::Moving
     }
 }
 
@@ -56,10 +65,10 @@ fn around(obb: &Obb) -> Aabb {
     let half = obb.half_extents;
     let reach =
         half.x * obb.axes[0].abs() + half.y * obb.axes[1].abs() + half.z * obb.axes[2].abs();
-    // The sum of three products is off by 3 × 2⁻⁵³, each end by one rounding more,
-    // and touching boxes may be told apart by the rounding of the very point in
-    // which they touch, or by axes perpendicular to 8: 16 cover that.
-    let reach = reach + 8.0 * f64::EPSILON * (obb.centre.abs() + reach);
+    // The sum of three products is off by 3u (u = 2⁻⁵³), each end by one rounding
+    // more; two boxes that touch do so to rounding only, with axes unit and
+    // perpendicular to 32u: 64u cover all of it.
+    let reach = reach + 32.0 * f64::EPSILON * (obb.centre.abs() + reach);
     let aabb = Aabb {
         min: obb.centre - reach,
         max: obb.centre + reach,

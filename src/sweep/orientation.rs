@@ -11,8 +11,8 @@ const ON_THE_LINE: f64 = 1e-9;
 /// How far rounding may carry a point out of a box, as a share of the sizes of
 /// the coordinates involved.
 ///
-/// Some 42 errors of 2⁻⁵³ add up: 8 in an extent, 12 in the centre, 16 because
-/// the axes are unit and perpendicular to 16 only, 6 in asking whether the box
+/// Some 58 errors of 2⁻⁵³ add up: 8 in an extent, 12 in the centre, 32 because
+/// the axes are unit and perpendicular to 32 only, 6 in asking whether the box
 /// contains a point. 64 are allowed.
 const ROUNDING: f64 = 32.0 * f64::EPSILON;
 
