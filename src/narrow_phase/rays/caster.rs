@@ -48,7 +48,6 @@ pub(crate) struct RayCaster {
     ahead: Starts,
     behind: Starts,
     gaps: Vec<f64>,
-    refined: Starts,
     depths: Vec<f64>,
 }
 
@@ -91,7 +90,6 @@ impl RayCaster {
             ahead: Starts::default(),
             behind: Starts::default(),
             gaps: Vec::new(),
-            refined: Starts::default(),
             depths: Vec::new(),
         }
     }
@@ -178,9 +176,8 @@ impl RayCaster {
             Placement::Aimed => {
                 let points = self.lattice.iter().map(|&at| scene.aim.point(at));
                 self.ahead.push_plane(points);
-                scene
-                    .shadow_a
-                    .far(&self.ahead.xs, &self.ahead.ys, &mut self.depths);
+                let (xs, ys) = (&self.ahead.xs, &self.ahead.ys);
+                scene.shadow_a.depths(Side::Far, xs, ys, &mut self.depths);
                 self.ahead.zs.copy_from_slice(&self.depths);
                 let each = (self.config.rays / 32).clamp(1, 8);
                 self.ahead.push_vertices(outline_a, Some(&scene.aim));
@@ -242,7 +239,7 @@ impl RayCaster {
 
     /// Sends further rays around the shortest.
     fn refine(
-        &mut self,
+        &self,
         scene: &Scene<'_>,
         [best, best_edge]: [Option<Shortest>; 2],
         rays: &mut u64,
@@ -259,35 +256,20 @@ impl RayCaster {
         if let Some(edge) = best_edge {
             let share = budget / 2;
             budget -= share;
-            if let Some(found) = self.refine_edge(scene, edge, share, rays) {
+            if let Some(found) = refine_edge(scene, edge, share, rays) {
                 let mut kept = Some(best);
                 scene.keep_shorter(&mut kept, found);
                 best = kept?;
             }
         }
         let radius = 1.0 / f64::from(first).sqrt();
-        let Self {
-            refined,
-            depths,
-            gaps,
-            turns,
-            ..
-        } = self;
-        let (at, gap) = search_area(
-            (scene.aim.square(best.at), best.gap),
-            radius,
-            budget,
-            turns,
-            |points| {
-                *rays += points.len() as u64;
-                refined.clear();
-                refined.push_plane(points.iter().map(|&point| scene.aim.point(point)));
-                scene.shadow_a.far(&refined.xs, &refined.ys, depths);
-                refined.zs.copy_from_slice(depths);
-                gaps_ahead(refined, &scene.shadow_b, gaps);
-                std::array::from_fn(|index| scene.valid(gaps.get(index).copied()))
-            },
-        );
+        let start = (scene.aim.square(best.at), best.gap);
+        let (at, gap) = search_area(start, radius, budget, &self.turns, |point| {
+            *rays += 1;
+            let point = scene.aim.point(point);
+            let start = scene.shadow_a.depth(Side::Far, point);
+            scene.valid(scene.shadow_b.depth(Side::Near, point) - start)
+        });
         if gap < best.gap - scene.rounding() {
             best = Shortest {
                 at: scene.aim.point(at),
@@ -298,38 +280,35 @@ impl RayCaster {
         }
         Some(best)
     }
+}
 
-    fn refine_edge(
-        &mut self,
-        scene: &Scene<'_>,
-        start: Shortest,
-        budget: u32,
-        rays: &mut u64,
-    ) -> Option<Shortest> {
-        let Origin::Edge { edge, at, between } = start.origin else {
-            return None;
-        };
-        let (from, to) = scene.outlines[usize::from(start.behind)].edge(edge)?;
-        let Self { refined, gaps, .. } = self;
-        let (at, gap) = search_edge((at, start.gap), between, budget, |at| {
-            *rays += 1;
-            refined.clear();
-            refined.push(from.lerp(to, at), start.origin);
-            if start.behind {
-                gaps_behind(refined, &scene.shadow_a, gaps);
-            } else {
-                gaps_ahead(refined, &scene.shadow_b, gaps);
-            }
-            scene.valid(gaps.first().copied())
-        });
-        let origin = Origin::Edge { edge, at, between };
-        Some(Shortest {
-            at: from.lerp(to, at).truncate(),
-            gap,
-            origin,
-            ..start
+/// Sends further rays along an edge, around the shortest from it.
+fn refine_edge(
+    scene: &Scene<'_>,
+    start: Shortest,
+    budget: u32,
+    rays: &mut u64,
+) -> Option<Shortest> {
+    let Origin::Edge { edge, at, between } = start.origin else {
+        return None;
+    };
+    let (from, to) = scene.outlines[usize::from(start.behind)].edge(edge)?;
+    let (at, gap) = search_edge((at, start.gap), between, budget, |at| {
+        *rays += 1;
+        let point = from.lerp(to, at);
+        scene.valid(if start.behind {
+            point.z - scene.shadow_a.depth(Side::Far, point.truncate())
+        } else {
+            scene.shadow_b.depth(Side::Near, point.truncate()) - point.z
         })
-    }
+    });
+    let origin = Origin::Edge { edge, at, between };
+    Some(Shortest {
+        at: from.lerp(to, at).truncate(),
+        gap,
+        origin,
+        ..start
+    })
 }
 
 /// Two bodies seen along their relative motion.
@@ -380,8 +359,8 @@ impl Scene<'_> {
     }
 
     /// A gap that a ray can have, or NaN.
-    fn valid(&self, gap: Option<f64>) -> f64 {
-        gap.filter(|&gap| gap >= -self.touch).unwrap_or(f64::NAN)
+    fn valid(&self, gap: f64) -> f64 {
+        if gap >= -self.touch { gap } else { f64::NAN }
     }
 
     fn keep_shorter(&self, best: &mut Option<Shortest>, found: Shortest) {

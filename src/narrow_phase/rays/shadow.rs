@@ -139,40 +139,34 @@ impl<'a> Shadow<'a> {
         self.slack
     }
 
-    /// Where lines through `(xs[i], ys[i])` enter the body; NaN where they miss it.
-    pub(super) fn near(&self, xs: &[f64], ys: &[f64], out: &mut Vec<f64>) {
+    /// Where lines through `(xs[i], ys[i])` enter or leave the body; NaN where they miss it.
+    pub(super) fn depths(&self, side: Side, xs: &[f64], ys: &[f64], out: &mut Vec<f64>) {
         out.clear();
-        match &self.surface {
-            Surface::Ball { radius } => self.ball(-1.0, *radius, xs, ys, out),
-            Surface::Facets(_) | Surface::Flat(_) => {
-                let near = |(&x, &y)| self.span(x, y).map_or(f64::NAN, |(near, _)| near);
-                out.extend(xs.iter().zip(ys).map(near));
-            }
-        }
+        out.extend(
+            xs.iter()
+                .zip(ys)
+                .map(|(&x, &y)| self.depth(side, DVec2::new(x, y))),
+        );
     }
 
-    /// Where lines through `(xs[i], ys[i])` leave the body; NaN where they miss it.
-    pub(super) fn far(&self, xs: &[f64], ys: &[f64], out: &mut Vec<f64>) {
-        out.clear();
-        match &self.surface {
-            Surface::Ball { radius } => self.ball(1.0, *radius, xs, ys, out),
-            Surface::Facets(_) | Surface::Flat(_) => {
-                let far = |(&x, &y)| self.span(x, y).map_or(f64::NAN, |(_, far)| far);
-                out.extend(xs.iter().zip(ys).map(far));
-            }
+    /// Where the line through a point enters or leaves the body; NaN where it misses it.
+    #[inline]
+    pub(super) fn depth(&self, side: Side, point: DVec2) -> f64 {
+        if let Surface::Ball { radius } = self.surface {
+            let squared = radius * radius - (point - self.centre.truncate()).length_squared();
+            // Below the slack the root is of a negative number: NaN, a miss.
+            let grazing = squared < 0.0 && squared >= -2.0 * radius * self.slack;
+            let height = if grazing { 0.0 } else { squared.sqrt() };
+            return match side {
+                Side::Near => self.centre.z - height,
+                Side::Far => self.centre.z + height,
+            };
         }
-    }
-
-    fn ball(&self, side: f64, radius: f64, xs: &[f64], ys: &[f64], out: &mut Vec<f64>) {
-        let (squared, slack) = (radius * radius, 2.0 * radius * self.slack);
-        // Written without branches: the compiler does several lines at a time.
-        out.extend(xs.iter().zip(ys).map(|(x, y)| {
-            let (x, y) = (x - self.centre.x, y - self.centre.y);
-            let left = squared - (x * x + y * y);
-            let height = if left >= 0.0 { left } else { 0.0 };
-            let missed = if left >= -slack { 0.0 } else { f64::NAN };
-            self.centre.z + side * height.sqrt() + missed
-        }));
+        match (self.span(point.x, point.y), side) {
+            (Some((near, _)), Side::Near) => near,
+            (Some((_, far)), Side::Far) => far,
+            (None, _) => f64::NAN,
+        }
     }
 
     /// Where the line through `(x, y)` enters and leaves the body.

@@ -2,7 +2,7 @@
 
 use crate::geometry::{Feature, Mesh, Pose, Shape};
 use crate::narrow_phase::rays::aim::Aim;
-use crate::narrow_phase::rays::shadow::{Shadow, View};
+use crate::narrow_phase::rays::shadow::{Shadow, Side, View};
 use glam::{DVec2, DVec3};
 
 /// Starting points on one body as a structure of arrays, in view coordinates.
@@ -134,7 +134,7 @@ impl Origin {
 
 /// Which shadow gives the rest of the line: kept beside the points it belongs to.
 pub(super) fn gaps_ahead(starts: &Starts, target: &Shadow<'_>, depths: &mut Vec<f64>) {
-    target.near(&starts.xs, &starts.ys, depths);
+    target.depths(Side::Near, &starts.xs, &starts.ys, depths);
     for (depth, start) in depths.iter_mut().zip(&starts.zs) {
         *depth -= start;
     }
@@ -142,7 +142,7 @@ pub(super) fn gaps_ahead(starts: &Starts, target: &Shadow<'_>, depths: &mut Vec<
 
 /// As [`gaps_ahead`], for rays sent back against the motion.
 pub(super) fn gaps_behind(starts: &Starts, target: &Shadow<'_>, depths: &mut Vec<f64>) {
-    target.far(&starts.xs, &starts.ys, depths);
+    target.depths(Side::Far, &starts.xs, &starts.ys, depths);
     for (depth, start) in depths.iter_mut().zip(&starts.zs) {
         *depth = start - *depth;
     }
