@@ -48,7 +48,6 @@ pub(crate) struct RayCaster {
     ahead: Starts,
     behind: Starts,
     gaps: Vec<f64>,
-    depths: Vec<f64>,
 }
 
 /// A ray found to be the shortest so far.
@@ -90,7 +89,6 @@ impl RayCaster {
             ahead: Starts::default(),
             behind: Starts::default(),
             gaps: Vec::new(),
-            depths: Vec::new(),
         }
     }
 
@@ -174,11 +172,8 @@ impl RayCaster {
         let [outline_a, outline_b] = &scene.outlines;
         match self.config.placement {
             Placement::Aimed => {
-                let points = self.lattice.iter().map(|&at| scene.aim.point(at));
-                self.ahead.push_plane(points);
-                let (xs, ys) = (&self.ahead.xs, &self.ahead.ys);
-                scene.shadow_a.depths(Side::Far, xs, ys, &mut self.depths);
-                self.ahead.zs.copy_from_slice(&self.depths);
+                self.ahead
+                    .push_aimed(&self.lattice, &scene.aim, &scene.shadow_a);
                 let each = (self.config.rays / 32).clamp(1, 8);
                 self.ahead.push_vertices(outline_a, Some(&scene.aim));
                 self.ahead.push_edges(outline_a, &scene.aim, each);
@@ -337,7 +332,7 @@ impl Scene<'_> {
             let turn = crate::sampling::turn_zenith(side * self.view.z);
             for &point in hemisphere {
                 let point = self.view.coordinates(sphere.radius() * turn(point));
-                starts.push(centre + point, Origin::Area);
+                starts.push_surface(centre + point);
             }
         }
         let shape_centre = body.shape.centre();
@@ -345,7 +340,7 @@ impl Scene<'_> {
             let point = self
                 .view
                 .coordinates(body.pose.direction(point - shape_centre));
-            starts.push(centre + point, Origin::Area);
+            starts.push_surface(centre + point);
         }
     }
 
