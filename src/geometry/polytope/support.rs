@@ -5,7 +5,7 @@ use glam::DVec3;
 
 /// Up to this many vertices are compared one by one; with more, climbing over
 /// edges is faster. Measured by `benches/polytope.rs`; only time depends on it.
-const SCAN: usize = 40;
+const SCAN: usize = 24;
 
 /// Vertices per cell of the table of starts: with four a climb takes about two
 /// steps, and the table is small beside the vertices.
@@ -84,17 +84,20 @@ impl Support {
 
     /// From neighbour to higher neighbour. Heights are taken from differences
     /// of vertices: seen from afar, all of a cluster's vertices look equally high.
+    ///
+    /// A step must gain more than its rounding (six roundings, half an ulp each),
+    /// or along a face's normal it would go round the face for ever.
     fn climb(&self, vertices: &[DVec3], direction: DVec3, start: u32) -> u32 {
         let mut best = start;
-        // Rounding may make some neighbours each higher than the other; the
-        // bound keeps them from sending us round for ever.
+        // Products that underflow have no such bound on their rounding.
         for _ in 0..vertices.len() {
             let here = vertices[best as usize];
             let (mut gain, mut higher) = (0.0, best);
             for &neighbour in self.climb.get(best as usize) {
-                let height = direction.dot(vertices[neighbour as usize] - here);
+                let products = direction * (vertices[neighbour as usize] - here);
+                let height = products.element_sum();
                 // NaN is no gain.
-                if height > gain {
+                if height > gain && height > 4.0 * f64::EPSILON * products.abs().element_sum() {
                     (gain, higher) = (height, neighbour);
                 }
             }
