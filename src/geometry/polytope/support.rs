@@ -47,10 +47,11 @@ impl Support {
 
     /// A vertex farthest along `direction`.
     pub(super) fn vertex(&self, vertices: &[DVec3], direction: DVec3) -> u32 {
-        match self.starts.get(self.cell(direction)) {
-            Some(&start) => self.climb(vertices, direction, start),
-            None => scan(vertices, direction),
+        if self.starts.is_empty() {
+            return scan(vertices, direction);
         }
+        let start = self.starts[self.cell(direction)];
+        self.climb(vertices, direction, start)
     }
 
     /// All corners of the hull that may be as far along `normal` as any, to
@@ -120,17 +121,15 @@ impl Support {
         } else {
             2
         };
-        let main = direction[axis];
+        let DVec3 { x, y, z } = direction;
+        let [main, first, second] = [[x, y, z], [y, z, x], [z, x, y]][axis];
+        let scale = 0.5 * self.cells as f64 / main.abs();
         let place = |other: f64| {
-            let fraction = 0.5 * (other / main.abs() + 1.0);
-            ((fraction * self.cells as f64) as usize).min(self.cells.saturating_sub(1))
+            let place = (other * scale + 0.5 * self.cells as f64) as usize;
+            place.min(self.cells - 1)
         };
         let side = 2 * axis + usize::from(main > 0.0);
-        let (row, column) = (
-            place(direction[(axis + 1) % 3]),
-            place(direction[(axis + 2) % 3]),
-        );
-        (side * self.cells + row) * self.cells + column
+        (side * self.cells + place(first)) * self.cells + place(second)
     }
 
     /// The direction through the middle of a cell.
@@ -155,10 +154,11 @@ fn scan(vertices: &[DVec3], direction: DVec3) -> u32 {
     let (mut most, mut farthest) = (f64::NEG_INFINITY, 0);
     for (vertex, position) in vertices.iter().enumerate() {
         let reach = direction.dot(*position);
-        // NaN is never farther.
-        if reach > most {
-            (most, farthest) = (reach, vertex as u32);
-        }
+        // NaN is never farther. Two selections and no branch: which vertex is
+        // farther than all before it cannot be predicted.
+        let farther = reach > most;
+        most = if farther { reach } else { most };
+        farthest = std::hint::select_unpredictable(farther, vertex as u32, farthest);
     }
     farthest
 }
