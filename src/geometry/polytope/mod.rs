@@ -102,7 +102,7 @@ impl Polytope {
     /// order of the points makes no difference but for the vertices' numbers.
     ///
     /// Quickhull (Barber, Dobkin, Huhdanpaa 1996) on Shewchuk's exact
-    /// orientations; O(n log n) in the usual case, some 50 ms for
+    /// orientations; O(n log n) in the usual case, some 60 ms for
     /// 10 000 points on a sphere.
     ///
     /// # Errors
