@@ -395,16 +395,11 @@ impl Scene<'_> {
                 self.shadow_b.surface_at(x, y, near_b, Side::Near)
             };
             let start = ball.centre - ball.size * self.view.coordinates(normal);
-            let other = [&self.shadow_b, &self.shadow_a][usize::from(behind)];
-            let span = other.span(start.x, start.y);
-            let ahead = |(near, far)| {
-                if behind {
-                    start.z - far
-                } else {
-                    near - start.z
-                }
-            };
-            let gap = self.valid(span.map(ahead));
+            let gap = self.valid(if behind {
+                start.z - self.shadow_a.depth(Side::Far, start.truncate())
+            } else {
+                self.shadow_b.depth(Side::Near, start.truncate()) - start.z
+            });
             *rays += 1;
             // NaN, a miss, fails the comparison.
             if !(gap < best.gap) {
