@@ -10,12 +10,16 @@ pub mod motion;
 pub mod narrow_phase;
 pub mod raycast;
 pub mod sampling;
+#[cfg(feature = "serde")]
+pub mod scene;
 pub mod sweep;
 pub mod tolerance;
 pub mod world;
 
 pub use broad_phase::{BroadPhase, ObbTest};
 pub use curve::{ArcLengthRow, ArcLengthTable, CubicBezier, Spline};
+#[cfg(feature = "serde")]
+pub use error::SceneError;
 pub use error::{
     BodyError, ConfigError, FirstContactError, MotionError, PathError, ShapeError, StepError,
     ValueError,
@@ -27,6 +31,8 @@ pub use motion::{Motion, Path};
 pub use narrow_phase::overlap::{Overlap, overlap};
 pub use narrow_phase::rays::{Chords, Overlaps, Placement, RayConfig, Refinement, Senders};
 pub use raycast::{RayCast, RayHit, RaySpan, SurfacePoint};
+#[cfg(feature = "serde")]
+pub use scene::{NamedBody, Scene};
 pub use world::{
     Advance, Body, BodyId, CollisionWorld, Contact, ContactKind, Method, PairContact, PhaseTimes,
     StepStats, WorldConfig, first_contact,

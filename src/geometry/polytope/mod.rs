@@ -75,6 +75,14 @@ pub struct Face<'a> {
 /// # Ok::<(), ShapeError>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(
+        try_from = "crate::geometry::data::PolytopeData",
+        into = "crate::geometry::data::PolytopeData"
+    )
+)]
 pub struct Polytope {
     vertices: Vec<DVec3>,
     triangles: Vec<[u32; 3]>,
