@@ -1,5 +1,11 @@
 //! Splines: building them, and looking places up by distance.
 
+#![allow(
+    missing_docs,
+    clippy::expect_used,
+    reason = "criterion's macro makes undocumented items; the input is fixed and fine"
+)]
+
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use feeler::{ArcLengthTable, Spline};
 use rand_chacha::ChaCha8Rng;

@@ -1,5 +1,8 @@
 //! Overlap of two shapes, overlapping and apart.
 
+#![allow(clippy::expect_used, reason = "the shapes are given here")]
+#![allow(missing_docs, reason = "criterion's macros document nothing")]
+
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use feeler::{Cuboid, Polytope, Pose, Shape, Sphere, Triangle, overlap};
 use glam::{DQuat, DVec3};

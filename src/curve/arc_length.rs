@@ -3,12 +3,12 @@
 use crate::curve::CubicBezier;
 use crate::curve::span::{self, Span};
 
-/// Arc length over a sequence of curves: exact, both ways, in constant time.
+/// Arc length over a sequence of curves: exact, both ways.
 ///
 /// Every curve is cut into spans on which one quadrature rule is exact to
 /// rounding. A distance finds its span through a grid of equal cells, one per span,
-/// and a bisection among the spans that start in its cell; on the span the integral
-/// is inverted by iteration.
+/// and a bisection among the spans that start in its cell (one or two, if pieces are of
+/// like length); on the span the integral is inverted by iteration.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct ArcLength {
     /// Distance from the path's start to each span's; ascending.

@@ -62,27 +62,28 @@ impl Hodograph {
         self.at_start + x * (self.linear + x * self.quadratic)
     }
 
-    /// The speed at `x` and its derivative. At a cusp the derivative is 0.
-    pub(crate) fn speed_and_slope(&self, x: f64) -> (f64, f64) {
+    /// The speed at `x` and its first two derivatives, which are not finite at a
+    /// cusp.
+    pub(crate) fn speed(&self, x: f64) -> (f64, f64, f64) {
         let velocity = self.velocity(x);
+        let bend = self.linear + 2.0 * x * self.quadratic;
         let speed = velocity.length();
-        let slope = velocity.dot(self.linear + 2.0 * x * self.quadratic) / speed;
-        // 0/0 at a cusp, where the speed has a kink.
-        (speed, if slope.is_finite() { slope } else { 0.0 })
+        let per_speed = 1.0 / speed;
+        let first = velocity.dot(bend) * per_speed;
+        let twist = 2.0 * velocity.dot(self.quadratic);
+        let second = (bend.length_squared() + twist - first * first) * per_speed;
+        (speed, first, second)
     }
 
     /// The arc length over `0..=x` by one Gauss–Legendre rule.
     pub(crate) fn length_to(&self, x: f64) -> f64 {
         let mut speeds = [0.0; NODES.len()];
-        // One lane a node: no sum over nodes inside, so that it vectorises.
+        // One lane a node, summed only afterwards and in a tree: it vectorises.
         for (speed, node) in speeds.iter_mut().zip(NODES) {
-            *speed = self.velocity(x * node).length_squared();
+            *speed = self.velocity(x * node).length();
         }
-        let weighted = speeds
-            .iter()
-            .zip(WEIGHTS)
-            .map(|(speed, weight)| weight * speed.sqrt());
-        x * weighted.sum::<f64>()
+        let [a, b, c, d, e, f, g, h] = std::array::from_fn(|node| WEIGHTS[node] * speeds[node]);
+        x * (((a + h) + (b + g)) + ((c + f) + (d + e)))
     }
 
     /// Where inside `0..1` the speed is least, in ascending order: at most two

@@ -31,11 +31,12 @@ const STEEP: f64 = 3.0;
 
 /// A speed below this share of a span's mean counts as a standstill when a first
 /// guess is made. Only speed depends on it.
-const STANDSTILL: f64 = 1e-3;
+const HALT: f64 = 1e-3;
 
-/// A Newton step below this, in `x` and relative to the speed, leaves an error
-/// of its cube: below rounding, no need to look again.
-const LAST_STEP: f64 = 1e-5;
+/// A Newton step below this, in `x` and relative to where the speed would vanish,
+/// is made good by the next two terms of the inverse's series: what is left is of its
+/// fourth power, below rounding, and need not be looked at.
+const LAST_STEP: f64 = 1e-4;
 
 /// A stretch of a cubic on which one Gauss–Legendre rule gives arc lengths to
 /// rounding, from the stretch's start to anywhere on it.
@@ -47,28 +48,89 @@ pub(crate) struct Span {
     pub(crate) width: f64,
     /// Arc length.
     pub(crate) length: f64,
-    /// Mean speed over the speed at start and end: slopes of the inverse. Infinite at
-    /// a cusp.
-    slopes: [f64; 2],
+    guess: Guess,
+}
+
+/// A first guess at the inverse: `x` for a share of the length.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Guess {
+    /// Quintic Hermite interpolation: coefficients from the first power up.
+    Smooth([f64; 5]),
+    /// From a standstill the length grows as a power of `x`, and the power is the
+    /// speed at the end over the mean speed. This is its inverse.
+    FromHalt(f64),
+    /// The same from the end.
+    ToHalt(f64),
+    /// The speeds at start and end: between them taken as linear, they make
+    /// the length a quadratic in `x`.
+    Steep(f64, f64),
+}
+
+impl Guess {
+    fn new(hodograph: &Hodograph, length: f64) -> Self {
+        // In units of the mean speed.
+        let (start, start_slope, _) = hodograph.speed(0.0);
+        let (end, end_slope, _) = hodograph.speed(1.0);
+        let (start, start_slope) = (start / length, start_slope / length);
+        let (end, end_slope) = (end / length, end_slope / length);
+        if start.min(end) * STEEP > 1.0 {
+            // First and second derivatives of the inverse at both ends.
+            let (a, b) = (1.0 / start, 1.0 / end);
+            let (aa, bb) = (-start_slope * a * a * a, -end_slope * b * b * b);
+            Self::Smooth([
+                a,
+                0.5 * aa,
+                10.0 - 6.0 * a - 4.0 * b - 1.5 * aa + 0.5 * bb,
+                -15.0 + 8.0 * a + 7.0 * b + 1.5 * aa - bb,
+                6.0 - 3.0 * (a + b) + 0.5 * (bb - aa),
+            ])
+        } else if start < HALT && end > HALT {
+            Self::FromHalt(1.0 / end)
+        } else if end < HALT && start > HALT {
+            Self::ToHalt(1.0 / start)
+        } else {
+            Self::Steep(start, end)
+        }
+    }
+
+    /// The guess for a share in `0..1`; it lies there too.
+    fn at(&self, share: f64) -> f64 {
+        let guess = match *self {
+            Self::Smooth([a, b, c, d, e]) => {
+                share * (a + share * (b + share * (c + share * (d + share * e))))
+            }
+            Self::FromHalt(power) => share.powf(power),
+            Self::ToHalt(power) => 1.0 - (1.0 - share).powf(power),
+            Self::Steep(start, end) => {
+                let target = share * (start + end);
+                target / (start + (start * start + (end - start) * target).sqrt())
+            }
+        };
+        // False for NaN as well.
+        if guess > 0.0 && guess < 1.0 {
+            guess
+        } else {
+            share
+        }
+    }
 }
 
 impl Span {
     fn new(u_start: f64, width: f64, hodograph: &Hodograph, length: f64) -> Self {
-        let slope = |x: f64| length / hodograph.velocity(x).length();
         Self {
             u_start,
             width,
             length,
-            slopes: [slope(0.0), slope(1.0)],
+            guess: Guess::new(hodograph, length),
         }
     }
 
     /// Where on the span, from 0 to 1, the arc length from its start is
     /// `distance`.
     ///
-    /// Halley's iteration on the integral, in a bracket, from an interpolated
-    /// guess: one or two evaluations of the rule as a rule, and at most 100
-    /// whatever the speed does.
+    /// Newton's iteration on the integral with two terms more (Householder), in a
+    /// bracket, from an interpolated guess: as a rule one evaluation of the
+    /// integral, and at most 100 whatever the speed does.
     pub(crate) fn invert(&self, hodograph: &Hodograph, distance: f64) -> f64 {
         // A span of no length is all one point; NaN cannot come here.
         if distance <= 0.0 || self.length <= 0.0 {
@@ -77,25 +139,31 @@ impl Span {
         if distance >= self.length {
             return 1.0;
         }
-        let mut x = self.guess(distance / self.length);
+        let mut x = self.guess.at(distance / self.length);
         let (mut low, mut high) = (0.0, 1.0);
         for _ in 0..100 {
             let excess = hodograph.length_to(x) - distance;
+            let (speed, first, second) = hodograph.speed(x);
+            let per_speed = 1.0 / speed;
+            let newton = -excess * per_speed;
+            let bend = 0.5 * newton * first * per_speed;
+            let twist = newton * newton * second * per_speed / 6.0;
+            if newton.abs() <= LAST_STEP
+                && bend.abs() <= LAST_STEP
+                && twist.abs() <= LAST_STEP * LAST_STEP
+            {
+                let series = 1.0 - bend + 2.0 * bend * bend - twist;
+                return (x + newton * series).clamp(0.0, 1.0);
+            }
+            if excess.abs() <= f64::EPSILON * distance {
+                break;
+            }
             if excess > 0.0 {
                 high = x;
             } else {
                 low = x;
             }
-            let (speed, slope) = hodograph.speed_and_slope(x);
-            let newton = -excess / speed;
-            let bend = newton * slope / speed;
-            let step = newton / (1.0 + 0.5 * bend).max(0.5);
-            if newton.abs() <= LAST_STEP && bend.abs() <= LAST_STEP {
-                return (x + step).clamp(0.0, 1.0);
-            }
-            if excess.abs() <= f64::EPSILON * distance {
-                return x;
-            }
+            let step = newton / (1.0 + bend).max(0.5);
             // False for NaN and infinity as well: at a cusp halve instead.
             x = if x + step > low && x + step < high {
                 x + step
@@ -107,32 +175,6 @@ impl Span {
             }
         }
         x
-    }
-
-    /// A first guess at the inverse; `share` is the arc length's share in `0..1`.
-    fn guess(&self, share: f64) -> f64 {
-        let [first, last] = self.slopes;
-        let rest = 1.0 - share;
-        let guess = if first <= STEEP && last <= STEEP {
-            // Cubic Hermite interpolation of the inverse.
-            share * (first * rest * rest + share * (3.0 - 2.0 * share) - last * share * rest)
-        } else if STANDSTILL * first > 1.0 {
-            // From a standstill the length grows as x^p, and p is the speed at the end.
-            share.powf(last)
-        } else if STANDSTILL * last > 1.0 {
-            1.0 - rest.powf(first)
-        } else {
-            // Speed taken as linear; the length then is a quadratic in x.
-            let (v0, v1) = (1.0 / first, 1.0 / last);
-            let target = share * (v0 + v1);
-            target / (v0 + (v0 * v0 + (v1 - v0) * target).sqrt())
-        };
-        // False for NaN as well.
-        if guess > 0.0 && guess < 1.0 {
-            guess
-        } else {
-            share
-        }
     }
 }
 
@@ -185,13 +227,15 @@ impl<Emit: FnMut(Span)> Cutter<'_, Emit> {
         let half = 0.5 * width;
         let left = hodograph.length_to(0.5);
         let right = Hodograph::over(self.velocity, start + half, half).length_to(1.0);
-        let span = Span::new(start, width, &hodograph, length);
-        let steep = span.slopes.iter().all(|slope| *slope > STEEP);
+        let ends = hodograph
+            .velocity(0.0)
+            .length()
+            .max(hodograph.velocity(1.0).length());
         let good = (length - (left + right)).abs() <= self.error
             // A span shorter than its error may be as steep as it likes.
-            && !(steep && length > self.error);
+            && (STEEP * ends >= length || length <= self.error);
         if good || halvings == 0 {
-            (self.emit)(span);
+            (self.emit)(Span::new(start, width, &hodograph, length));
         } else {
             self.cut(start, half, left, halvings - 1);
             self.cut(start + half, half, right, halvings - 1);

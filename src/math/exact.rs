@@ -46,6 +46,7 @@ fn two_sum(a: f64, b: f64) -> (f64, f64) {
 }
 
 #[cfg(test)]
+#[allow(clippy::float_cmp, reason = "exact sums are what is tested")]
 mod tests {
     use super::*;
 

@@ -14,6 +14,9 @@ impl RayCast for Polytope {
     fn line_span(&self, ray: &Ray) -> Option<RaySpan> {
         let line = Line::of(ray)?;
         let growth = growth(self, &line);
+        if walk::passes_by(self, &line, growth) {
+            return None;
+        }
         let (in_gate, out_gate) = walk::gates(self, &line, growth)?;
         let enter = walk::enter(self, &line, &in_gate, growth)?;
         let leave = walk::leave(self, &line, &out_gate, growth);
@@ -38,6 +41,9 @@ impl RayCast for Polytope {
         };
         let size = size(self);
         let growth = GRAZE * (line.distance() + size);
+        if walk::passes_by(self, &line, growth) {
+            return None;
+        }
         let (in_gate, out_gate) = walk::gates(self, &line, growth)?;
         if out_gate.fraction < 0.0 {
             return None;

@@ -26,6 +26,19 @@ pub(super) struct Crossing {
     pub(super) tied: bool,
 }
 
+/// Whether `line` passes the polytope's bounding sphere by.
+///
+/// Compares squares, which are off by a few ulp of the distance's; the margin is
+/// twice that.
+#[inline]
+pub(super) fn passes_by(polytope: &Polytope, line: &Line, growth: f64) -> bool {
+    let offset = line.origin - polytope.centre();
+    let radius = polytope.max_dist() + 4.0 * growth;
+    let along = offset.dot(line.direction);
+    let distance = offset.length_squared() * (1.0 - 32.0 * f64::EPSILON);
+    (distance - radius * radius) * line.direction.length_squared() > along * along
+}
+
 /// The piece of `line` in the polytope's bounding box grown by `growth`.
 #[inline]
 pub(super) fn gates(polytope: &Polytope, line: &Line, growth: f64) -> Option<(Gate, Gate)> {
@@ -48,10 +61,11 @@ pub(super) fn gates(polytope: &Polytope, line: &Line, growth: f64) -> Option<(Ga
             }
             continue;
         }
+        let inverse = 1.0 / direction;
         let (near, far, side) = if direction > 0.0 {
-            (low / direction, high / direction, 2 * axis)
+            (low * inverse, high * inverse, 2 * axis)
         } else {
-            (high / direction, low / direction, 2 * axis + 1)
+            (high * inverse, low * inverse, 2 * axis + 1)
         };
         if near > enter.fraction {
             enter = Gate {
@@ -107,12 +121,11 @@ fn first(
     gate: &Gate,
     growth: f64,
 ) -> Option<Crossing> {
-    let (normals, offsets) = (polytope.face_normals(), polytope.face_offsets());
     let map = polytope.face_map();
     // How fast the line nears the face's grown plane (negative), and its room before it.
     let approach = |face: u32| {
-        let normal = normals[face as usize];
-        let room = offsets[face as usize] + growth - normal.dot(origin);
+        let (normal, offset) = map.plane(face);
+        let room = offset + growth - normal.dot(origin);
         (normal.dot(direction), room)
     };
     let mut face = map.near(gate.side, origin + gate.fraction * direction);
@@ -134,8 +147,11 @@ fn first(
             let (rate, room) = approach(neighbour);
             // What is left of the room at the current crossing.
             let left = room - here * rate;
+            if left > 2.0 * growth {
+                continue;
+            }
             if rate < 0.0 {
-                tied |= left <= 2.0 * growth;
+                tied = true;
                 // Strictly larger, so that no face comes twice and the walk ends.
                 let crossing = room / rate;
                 if crossing > fraction {

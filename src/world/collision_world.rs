@@ -1,6 +1,6 @@
 //! The world as its users see it.
 
-use crate::broad_phase::PairList;
+use crate::broad_phase::{PairList, Volume};
 use crate::error::{BodyError, ConfigError};
 use crate::geometry::{Pose, Shape};
 use crate::motion::{FrameMotion, Motion};
@@ -38,6 +38,8 @@ pub struct CollisionWorld {
     pub(super) time: f64,
     pub(super) caster: RayCaster,
     pub(super) pairs: PairList,
+    /// Where each slot's body can be, over its whole motion.
+    pub(super) volumes: Vec<Option<Volume>>,
     /// Slots whose pairs are to be listed anew.
     pub(super) changed: Vec<u32>,
     pub(super) contacts: Vec<Contact>,
@@ -73,7 +75,8 @@ impl CollisionWorld {
             slots: Slots::default(),
             time: 0.0,
             caster: RayCaster::new(rays),
-            pairs: PairList::default(),
+            pairs: PairList::new(config.broad_phase),
+            volumes: Vec::new(),
             changed: Vec::new(),
             contacts: Vec::new(),
             touching: Vec::new(),

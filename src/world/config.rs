@@ -1,7 +1,8 @@
 //! Settings of a world.
 
-use crate::broad_phase::BroadPhase;
+use crate::broad_phase::{BroadPhase, ObbTest};
 use crate::error::ConfigError;
+use crate::math::domain;
 use crate::narrow_phase::rays::RayConfig;
 
 /// Settings of a [`CollisionWorld`](crate::CollisionWorld).
@@ -41,7 +42,10 @@ impl WorldConfig {
     pub(crate) fn checked(self) -> Result<Self, ConfigError> {
         let Method::Rays(rays) = self.method;
         rays.checked()?;
-        self.broad_phase.checked()?;
+        if let BroadPhase::SweptObb(ObbTest::Rays { rays, .. }) = self.broad_phase {
+            let max = f64::from(RayConfig::MAX_RAYS);
+            domain::within("broad_phase.rays", f64::from(rays), 1.0, max)?;
+        }
         Ok(self)
     }
 }

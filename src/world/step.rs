@@ -10,7 +10,7 @@ use crate::motion::FrameMotion;
 use crate::tolerance::{MAX_COORDINATE, MAX_TIME_STEP, MIN_TIME_STEP};
 use crate::world::pair::{self, Mover, PairEffort};
 use crate::world::stats::Laps;
-use crate::world::{CollisionWorld, Contact, StepStats};
+use crate::world::{CollisionWorld, Contact, StepStats, volume};
 
 /// How far [`CollisionWorld::step_to_contact`] came.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -103,7 +103,7 @@ impl CollisionWorld {
         self.move_bodies(dt);
         stats.times.motions = laps.lap();
         self.list_pairs();
-        stats.pairs = self.pairs.len();
+        stats.pairs = self.pairs.dynamic().len() + self.pairs.fixed().len();
         stats.times.broad_phase = laps.lap();
         self.reject_early(&mut stats);
         stats.times.early_outs = laps.lap();
@@ -152,19 +152,26 @@ impl CollisionWorld {
 
     /// The broad phase: which pairs can meet at all.
     fn list_pairs(&mut self) {
-        let slots = &self.slots;
-        self.pairs.update(
-            self.config.broad_phase,
-            &mut self.changed,
-            slots.capacity(),
-            |slot| slots.at(slot).map(super::volume::of),
-        );
+        if self.changed.is_empty() {
+            return;
+        }
+        self.volumes.resize(self.slots.capacity(), None);
+        for &slot in &self.changed {
+            if let Some(volume) = self.volumes.get_mut(slot as usize) {
+                *volume = self
+                    .slots
+                    .at(slot)
+                    .map(|resident| volume::of(&resident.body));
+            }
+        }
+        self.pairs.update(&self.changed, &self.volumes);
+        self.changed.clear();
     }
 
     /// The early-outs: which of them cannot meet in this frame.
     fn reject_early(&mut self, stats: &mut StepStats) {
         self.survivors.clear();
-        for (first, second) in self.pairs.iter() {
+        for &(first, second) in self.pairs.dynamic().iter().chain(self.pairs.fixed()) {
             let (Some(a), Some(b)) = (self.slots.at(first), self.slots.at(second)) else {
                 debug_assert!(false, "a pair of a body that is gone");
                 continue;

@@ -6,31 +6,31 @@ use glam::{DMat3, DQuat, DVec3};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 
-pub struct Draw(ChaCha8Rng);
+pub(crate) struct Draw(ChaCha8Rng);
 
 impl Draw {
-    pub fn new(seed: u64) -> Self {
+    pub(crate) fn new(seed: u64) -> Self {
         Self(ChaCha8Rng::seed_from_u64(seed))
     }
 
     /// In `[0, 1)`.
-    pub fn unit(&mut self) -> f64 {
+    pub(crate) fn unit(&mut self) -> f64 {
         (self.0.next_u64() >> 11) as f64 / (1_u64 << 53) as f64
     }
 
-    pub fn between(&mut self, low: f64, high: f64) -> f64 {
+    pub(crate) fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.unit()
     }
 
-    pub fn log(&mut self, low: f64, high: f64) -> f64 {
+    pub(crate) fn log(&mut self, low: f64, high: f64) -> f64 {
         self.between(low.ln(), high.ln()).exp()
     }
 
-    pub fn below(&mut self, count: usize) -> usize {
+    pub(crate) fn below(&mut self, count: usize) -> usize {
         (self.unit() * count as f64) as usize
     }
 
-    pub fn ball(&mut self) -> DVec3 {
+    pub(crate) fn ball(&mut self) -> DVec3 {
         loop {
             let point = DVec3::from_array(std::array::from_fn(|_| self.between(-1.0, 1.0)));
             if point.length_squared() <= 1.0 {
@@ -39,7 +39,7 @@ impl Draw {
         }
     }
 
-    pub fn direction(&mut self) -> DVec3 {
+    pub(crate) fn direction(&mut self) -> DVec3 {
         loop {
             let direction = self.ball();
             if direction.length() > 0.01 {
@@ -48,12 +48,12 @@ impl Draw {
         }
     }
 
-    pub fn turn(&mut self) -> DQuat {
+    pub(crate) fn turn(&mut self) -> DQuat {
         DQuat::from_axis_angle(self.direction(), self.between(0.0, 6.0))
     }
 
     /// From `distance` away, through `target`, with a direction of any length.
-    pub fn ray_through(&mut self, target: DVec3, distance: f64) -> Ray {
+    pub(crate) fn ray_through(&mut self, target: DVec3, distance: f64) -> Ray {
         let direction = self.direction();
         let length = self.log(1e-6, 1e6);
         Ray::new(target - distance * direction, length * direction)
@@ -61,18 +61,18 @@ impl Draw {
 }
 
 /// A shape with what the tests need to know about it.
-pub struct Case {
-    pub name: &'static str,
-    pub shape: Box<dyn RayCast>,
-    pub oracle: Box<dyn Fn(&Ray) -> Span>,
+pub(crate) struct Case {
+    pub(crate) name: &'static str,
+    pub(crate) shape: Box<dyn RayCast>,
+    pub(crate) oracle: Box<dyn Fn(&Ray) -> Span>,
     /// A point inside, or in a triangle's plane.
-    pub middle: DVec3,
+    pub(crate) middle: DVec3,
     /// Largest coordinate on the surface.
-    pub size: f64,
+    pub(crate) size: f64,
 }
 
 impl Case {
-    pub fn sphere(draw: &mut Draw, scale: f64) -> Self {
+    pub(crate) fn sphere(draw: &mut Draw, scale: f64) -> Self {
         let radius = scale * draw.between(0.5, 1.0);
         Self {
             name: "sphere",
@@ -83,7 +83,7 @@ impl Case {
         }
     }
 
-    pub fn cuboid(draw: &mut Draw, scale: f64) -> Self {
+    pub(crate) fn cuboid(draw: &mut Draw, scale: f64) -> Self {
         let half = scale * DVec3::from_array(std::array::from_fn(|_| draw.log(0.1, 1.0)));
         Self {
             name: "cuboid",
@@ -94,7 +94,7 @@ impl Case {
         }
     }
 
-    pub fn aabb(draw: &mut Draw, scale: f64) -> Self {
+    pub(crate) fn aabb(draw: &mut Draw, scale: f64) -> Self {
         let aabb = Aabb::new(scale * draw.ball(), scale * draw.ball());
         Self {
             name: "aabb",
@@ -107,7 +107,7 @@ impl Case {
         }
     }
 
-    pub fn obb(draw: &mut Draw, scale: f64) -> Self {
+    pub(crate) fn obb(draw: &mut Draw, scale: f64) -> Self {
         let axes = DMat3::from_quat(draw.turn());
         let half = scale * DVec3::from_array(std::array::from_fn(|_| draw.log(0.1, 1.0)));
         let centre = scale * draw.ball();
@@ -129,7 +129,7 @@ impl Case {
         }
     }
 
-    pub fn triangle(draw: &mut Draw, scale: f64) -> Self {
+    pub(crate) fn triangle(draw: &mut Draw, scale: f64) -> Self {
         let (corners, triangle) = loop {
             let corners: [DVec3; 3] = std::array::from_fn(|_| scale * draw.ball());
             let [a, b, c] = corners;
@@ -146,7 +146,7 @@ impl Case {
         }
     }
 
-    pub const MAKERS: [fn(&mut Draw, f64) -> Self; 5] = [
+    pub(crate) const MAKERS: [fn(&mut Draw, f64) -> Self; 5] = [
         Self::sphere,
         Self::cuboid,
         Self::aabb,

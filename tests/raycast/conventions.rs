@@ -6,7 +6,7 @@ use feeler::{
 use glam::{DQuat, DVec3};
 
 /// Shapes with thickness that reach from −1 to 1 along every axis and contain the origin.
-pub fn solids() -> Vec<(&'static str, Box<dyn RayCast>)> {
+pub(crate) fn solids() -> Vec<(&'static str, Box<dyn RayCast>)> {
     let mut all: Vec<(&'static str, Box<dyn RayCast>)> = vec![
         ("sphere", Box::new(Sphere::new(1.0).unwrap())),
         ("cuboid", Box::new(Cuboid::new([1.0, 1.0, 1.0]).unwrap())),

@@ -5,6 +5,11 @@
     clippy::float_cmp,
     reason = "exact answers are asserted where they are due"
 )]
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "helpers of tests fail as tests do"
+)]
 
 mod cases;
 mod conventions;

@@ -5,10 +5,10 @@ use feeler::Ray;
 use glam::DVec3;
 
 /// What the whole line does to a solid: fractions in and out.
-pub type Span = Option<(f64, f64)>;
+pub(crate) type Span = Option<(f64, f64)>;
 
 /// `|origin + f · direction|² = radius²`, by the school formula.
-pub fn sphere(ray: &Ray, radius: f64) -> Span {
+pub(crate) fn sphere(ray: &Ray, radius: f64) -> Span {
     let (origin, direction) = (vector(ray.origin), vector(ray.direction));
     let a = dot(direction, direction);
     let b = dot(origin, direction);
@@ -24,7 +24,7 @@ pub fn sphere(ray: &Ray, radius: f64) -> Span {
 /// Every triangle by itself; the line of a closed convex surface enters at the
 /// first and leaves at the last. Triangles in the line's plane are left to
 /// their neighbours.
-pub fn triangles(ray: &Ray, triangles: impl IntoIterator<Item = [DVec3; 3]>) -> Span {
+pub(crate) fn triangles(ray: &Ray, triangles: impl IntoIterator<Item = [DVec3; 3]>) -> Span {
     triangles
         .into_iter()
         .filter_map(|corners| triangle(ray, corners))
@@ -47,7 +47,7 @@ fn triangle(ray: &Ray, corners: [DVec3; 3]) -> Option<f64> {
 }
 
 /// The twelve triangles of the box between two corners.
-pub fn box_triangles(min: DVec3, max: DVec3) -> Vec<[DVec3; 3]> {
+pub(crate) fn box_triangles(min: DVec3, max: DVec3) -> Vec<[DVec3; 3]> {
     let corner = |index: usize| {
         let pick = |axis: usize| {
             if index >> axis & 1 == 1 {

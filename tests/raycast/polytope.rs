@@ -152,7 +152,8 @@ fn inside_and_outside_are_told_apart_to_within_rounding() {
             .fold(0.0, |size, v| v.abs().max_element().max(size));
         let middle = hull.vertices().iter().sum::<DVec3>() / hull.vertices().len() as f64;
         for _ in 0..20 {
-            let point = middle + 0.5 * scale * draw.ball();
+            let corner = hull.vertices()[draw.below(hull.vertices().len())];
+            let point = middle + draw.unit() * (corner - middle) + 0.05 * scale * draw.ball();
             let depth = (hull.faces())
                 .map(|face| face.offset - face.normal.dot(point))
                 .fold(f64::INFINITY, f64::min);

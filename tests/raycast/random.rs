@@ -20,7 +20,7 @@ fn nearer(ray: &Ray, middle: DVec3, by: f64) -> Ray {
 }
 
 /// Checks one ray; true if it hits.
-pub fn check(case: &Case, ray: &Ray) -> bool {
+pub(crate) fn check(case: &Case, ray: &Ray) -> bool {
     let allowed = allowed(case, ray);
     let (got, want) = (case.shape.line_span(ray), (case.oracle)(ray));
     let about = format!("{} {ray:?}: got {got:?}, want {want:?}", case.name);
@@ -86,7 +86,7 @@ fn far_origins_cost_no_more_than_their_coordinates() {
             let ray = draw.ray_through(target, 1e12);
             hits += usize::from(check(&case, &ray));
         }
-        assert!((50..=950).contains(&hits), "{}: {hits} hits of 1000", seed);
+        assert!((50..=950).contains(&hits), "{seed}: {hits} hits of 1000");
     }
 }
 

@@ -4,7 +4,7 @@ use glam::DVec3;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 #[derive(Debug, Clone, Copy)]
-pub struct Twofold(pub f64, pub f64);
+pub(crate) struct Twofold(pub(crate) f64, pub(crate) f64);
 
 fn quick(a: f64, b: f64) -> Twofold {
     let sum = a + b;
@@ -62,9 +62,9 @@ impl Div for Twofold {
 }
 
 impl Twofold {
-    pub const ZERO: Self = Self(0.0, 0.0);
+    pub(crate) const ZERO: Self = Self(0.0, 0.0);
 
-    pub fn sqrt(self) -> Self {
+    pub(crate) fn sqrt(self) -> Self {
         if self.0 <= 0.0 {
             return Self::ZERO;
         }
@@ -72,30 +72,30 @@ impl Twofold {
         root + (self - root * root) / (root + root)
     }
 
-    pub fn positive(self) -> bool {
+    pub(crate) fn positive(self) -> bool {
         self.0 > 0.0
     }
 
-    pub fn negative(self) -> bool {
+    pub(crate) fn negative(self) -> bool {
         self.0 < 0.0
     }
 }
 
-pub type Vector = [Twofold; 3];
+pub(crate) type Vector = [Twofold; 3];
 
-pub fn vector(v: DVec3) -> Vector {
+pub(crate) fn vector(v: DVec3) -> Vector {
     v.to_array().map(Twofold::from)
 }
 
-pub fn sub(a: Vector, b: Vector) -> Vector {
+pub(crate) fn sub(a: Vector, b: Vector) -> Vector {
     std::array::from_fn(|i| a[i] - b[i])
 }
 
-pub fn dot(a: Vector, b: Vector) -> Twofold {
+pub(crate) fn dot(a: Vector, b: Vector) -> Twofold {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-pub fn cross(a: Vector, b: Vector) -> Vector {
+pub(crate) fn cross(a: Vector, b: Vector) -> Vector {
     [
         a[1] * b[2] - a[2] * b[1],
         a[2] * b[0] - a[0] * b[2],

@@ -22,11 +22,15 @@ pub(crate) struct FaceMap {
     height_error: f64,
     bounds: Aabb,
     resolution: usize,
+    /// Cells per metre along each axis.
+    density: DVec3,
     /// By side of the bounds (−x, +x, −y, +y, −z, +z), then by the two coordinates on it.
     cells: Vec<u32>,
     /// Where each face's list begins in `neighbours`; one more for the end.
     firsts: Vec<u32>,
     neighbours: Vec<u32>,
+    /// Normals and offsets once more, side by side: a walk reads one line of cache a face.
+    planes: Vec<[f64; 4]>,
 }
 
 impl FaceMap {
@@ -39,9 +43,14 @@ impl FaceMap {
             height_error: 0.0,
             bounds: Aabb::around(vertices.iter().copied()),
             resolution: ((count as f64 / 6.0).sqrt().ceil() as usize).clamp(1, MAX_RESOLUTION),
+            density: DVec3::ZERO,
             cells: Vec::new(),
             firsts,
             neighbours,
+            planes: (polytope.face_normals().iter())
+                .zip(polytope.face_offsets())
+                .map(|(n, &offset)| [n.x, n.y, n.z, offset])
+                .collect(),
         };
         let shallowest = (polytope.face_normals().iter())
             .zip(polytope.face_offsets())
@@ -49,6 +58,7 @@ impl FaceMap {
             .fold(f64::INFINITY, f64::min);
         let size = map.bounds.min.abs().max(map.bounds.max.abs()).max_element();
         map.height_error = 64.0 * f64::EPSILON * size / shallowest.max(f64::MIN_POSITIVE);
+        map.density = map.resolution as f64 / (map.bounds.max - map.bounds.min);
         let mut face = 0;
         for side in 0..6 {
             for cell in 0..map.resolution * map.resolution {
@@ -67,6 +77,13 @@ impl FaceMap {
         &self.bounds
     }
 
+    /// Normal and offset of a face's plane.
+    #[inline]
+    pub(crate) fn plane(&self, face: u32) -> (DVec3, f64) {
+        let [x, y, z, offset] = self.planes[face as usize];
+        (DVec3::new(x, y, z), offset)
+    }
+
     /// The faces that share an edge with `face`.
     #[inline]
     pub(crate) fn neighbours(&self, face: u32) -> &[u32] {
@@ -78,13 +95,9 @@ impl FaceMap {
     #[inline]
     pub(crate) fn near(&self, side: usize, point: DVec3) -> u32 {
         let (row, column) = across(side / 2);
-        let cells = self.resolution as f64;
-        let extent = self.bounds.max - self.bounds.min;
+        let place = (point - self.bounds.min) * self.density;
         // `as` takes NaN to 0 and what is negative too.
-        let index = |axis: usize| {
-            let share = (point[axis] - self.bounds.min[axis]) / extent[axis];
-            ((share * cells) as usize).min(self.resolution - 1)
-        };
+        let index = |axis: usize| (place[axis] as usize).min(self.resolution - 1);
         self.cells[(side * self.resolution + index(row)) * self.resolution + index(column)]
     }
 
@@ -154,9 +167,11 @@ impl Default for FaceMap {
             height_error: 0.0,
             bounds: Aabb::EMPTY,
             resolution: 1,
+            density: DVec3::ZERO,
             cells: Vec::new(),
             firsts: vec![0],
             neighbours: Vec::new(),
+            planes: Vec::new(),
         }
     }
 }

@@ -11,7 +11,7 @@ pub(super) struct Faces {
     pub(super) normals: Vec<DVec3>,
     /// Vertices around each face, counter-clockwise seen from outside.
     pub(super) rims: Lists,
-    /// Edges between different faces, sorted.
+    /// Edges between different faces.
     pub(super) edges: Vec<Edge>,
     /// The face each triangle is part of.
     pub(super) of_triangle: Vec<u32>,
@@ -48,15 +48,21 @@ impl Faces {
         merger.finish()
     }
 
-    /// The vertices that are the end of an edge, in their order.
-    pub(super) fn corners(&self, vertices: &[DVec3]) -> Vec<DVec3> {
-        let mut corner = vec![false; vertices.len()];
+    /// Which of `count` vertices are the end of an edge.
+    pub(super) fn corners(&self, count: usize) -> Vec<u32> {
+        let mut corner = vec![false; count];
         for &vertex in self.edges.iter().flat_map(|edge| &edge.vertices) {
             corner[vertex as usize] = true;
         }
-        (vertices.iter().zip(corner))
-            .filter_map(|(&vertex, corner)| corner.then_some(vertex))
-            .collect()
+        (0..count as u32).filter(|&v| corner[v as usize]).collect()
+    }
+
+    /// Gives every vertex a new number.
+    pub(super) fn renumber(&mut self, numbers: &[u32]) {
+        let edges = self.edges.iter_mut().flat_map(|edge| &mut edge.vertices);
+        for vertex in self.rims.items_mut().iter_mut().chain(edges) {
+            *vertex = numbers[*vertex as usize];
+        }
     }
 
     /// For each face the largest `normal · x` over all vertices, as rounded.

@@ -24,10 +24,9 @@ impl Hull {
         (self.triangles.iter()).map(|corners| corners.map(|c| self.vertices[c as usize]))
     }
 
-    /// Vertices by themselves, and the triangles that name them.
-    pub(super) fn into_mesh(self, points: &[DVec3]) -> (Vec<DVec3>, Vec<[u32; 3]>) {
-        let vertices = self.vertices.iter().map(|&v| points[v as usize]).collect();
-        (vertices, self.triangles)
+    /// Those of `all`, one for each point, that belong to the vertices.
+    pub(super) fn pick<T: Copy>(&self, all: &[T]) -> Vec<T> {
+        self.vertices.iter().map(|&v| all[v as usize]).collect()
     }
 
     /// The corners' mean: a point inside.

@@ -43,5 +43,10 @@ pub(super) fn collinear(a: DVec3, b: DVec3, c: DVec3) -> bool {
     };
     [(0, 1), (1, 2), (2, 0)]
         .into_iter()
-        .all(|(i, j)| !(shadow(i, j).abs() > 0.0))
+        .all(|(i, j)| sign(shadow(i, j)) == 0)
+}
+
+/// −1, 0 or 1.
+pub(super) fn sign(value: f64) -> i8 {
+    i8::from(value > 0.0) - i8::from(value < 0.0)
 }

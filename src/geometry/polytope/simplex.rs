@@ -1,6 +1,6 @@
 //! Four points that span a volume.
 
-use super::orient::{collinear, side};
+use super::orient::{collinear, side, sign};
 use crate::error::ShapeError;
 use crate::tolerance::MIN_LENGTH;
 use glam::DVec3;
@@ -54,13 +54,13 @@ pub(super) fn simplex(points: &[DVec3]) -> Result<Simplex, ShapeError> {
     if thickness < MIN_LENGTH {
         return Err(flat(2));
     }
-    let height = |i: usize| side([origin, points[b], points[c]], points[i]);
-    if !(height(d).abs() > 0.0) {
+    let height = |i: usize| sign(side([origin, points[b], points[c]], points[i]));
+    if height(d) == 0 {
         d = (0..points.len())
-            .find(|&i| height(i).abs() > 0.0)
+            .find(|&i| height(i) != 0)
             .ok_or_else(|| flat(2))?;
     }
-    let corners = if height(d) < 0.0 {
+    let corners = if height(d) < 0 {
         [a, b, c, d]
     } else {
         [a, c, b, d]
@@ -79,7 +79,7 @@ fn farthest(points: &[DVec3], measure: impl Fn(DVec3) -> f64) -> Option<(usize, 
 }
 
 /// By x, then y, then z.
-fn order(a: DVec3, b: DVec3) -> Ordering {
+pub(super) fn order(a: DVec3, b: DVec3) -> Ordering {
     (a.x.total_cmp(&b.x))
         .then(a.y.total_cmp(&b.y))
         .then(a.z.total_cmp(&b.z))

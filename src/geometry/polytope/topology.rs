@@ -46,6 +46,10 @@ impl Lists {
         &self.items[self.starts[list] as usize..self.starts[list + 1] as usize]
     }
 
+    pub(super) fn items_mut(&mut self) -> &mut [u32] {
+        &mut self.items
+    }
+
     pub(super) fn len(&self) -> usize {
         self.starts.len() - 1
     }

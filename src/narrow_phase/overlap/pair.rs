@@ -79,7 +79,7 @@ impl<'a> Pair<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::{Cuboid, Triangle};
+    use crate::geometry::{Cuboid, Polytope, Triangle};
     use crate::narrow_phase::overlap::{boxes, separate};
     use glam::DQuat;
 
@@ -137,6 +137,36 @@ mod tests {
                 if let (Some(axes), Some(hulls)) = (axes, hulls) {
                     assert!((axes.width - hulls.width).abs() < 1e-14);
                 }
+            }
+        }
+    }
+
+    /// A hull of points on a spiral around a sphere, squeezed to an ellipsoid.
+    fn hull(count: u32, squeeze: DVec3) -> Shape {
+        let points = (0..count).map(|index| {
+            let z = (f64::from(2 * index) + 1.0) / f64::from(count) - 1.0;
+            let (y, x) = (2.399_963_229_728_653 * f64::from(index)).sin_cos();
+            squeeze * ((1.0 - z * z).sqrt() * DVec3::new(x, y, 0.0) + z * DVec3::Z)
+        });
+        Polytope::from_points(points).unwrap().into()
+    }
+
+    #[test]
+    fn growing_and_looking_at_every_face_agree_on_large_hulls() {
+        let (a, b) = (hull(200, DVec3::ONE), hull(150, DVec3::new(1.0, 0.5, 0.9)));
+        for step in 0..6 {
+            let turn = DQuat::from_rotation_x(f64::from(step));
+            // From one centre, where hundreds of faces are about as near.
+            let pose = Pose::new(0.3 * f64::from(step) * DVec3::new(0.5, 0.6, -0.6), turn);
+            for (b, pose_b) in [(&b, Pose::IDENTITY), (&a, Pose::IDENTITY), (&a, pose)] {
+                let pair = Pair::new(&a, &pose, b, &pose_b, 1e-12).unwrap();
+                let (slow, fast) = (faces::least(&pair).unwrap(), pair.least());
+                let fast = fast.map_or(0.0, |least| least.width);
+                assert!(
+                    (slow.width.max(0.0) - fast).abs() < 1e-14,
+                    "{} {fast}",
+                    slow.width
+                );
             }
         }
     }

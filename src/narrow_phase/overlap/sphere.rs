@@ -188,16 +188,16 @@ pub(super) fn of_polytope(
     };
     // Above the highest face, its foot on that face: nothing else is nearer.
     if height > 0.0 && !over_face(polytope, face as u32, centre) {
-        let mut best = f64::INFINITY;
+        let mut best = (f64::INFINITY, 0);
         for (index, edge) in (0..).zip(polytope.edges()) {
             if edge.faces.iter().any(|&face| heights[face as usize] > 0.0) {
-                let found = nearest_on_edge(polytope, index, edge, centre);
-                if found.distance < best {
-                    best = found.distance;
-                    nearest = found;
+                let distance = distance_squared(polytope, edge, centre);
+                if distance < best.0 {
+                    best = (distance, index);
                 }
             }
         }
+        nearest = on_edge(polytope, best.1, centre);
     }
     of_nearest(sphere, pose, &nearest, pose_b, touch)
 }
@@ -219,10 +219,28 @@ fn over_face(polytope: &Polytope, face: u32, point: DVec3) -> bool {
     })
 }
 
-fn nearest_on_edge(polytope: &Polytope, index: u32, edge: &Edge, point: DVec3) -> Nearest {
-    let [from, to] = edge
-        .vertices
-        .map(|index| polytope.vertices()[index as usize]);
+fn ends(polytope: &Polytope, edge: &Edge) -> [DVec3; 2] {
+    edge.vertices
+        .map(|index| polytope.vertices()[index as usize])
+}
+
+fn distance_squared(polytope: &Polytope, edge: &Edge, point: DVec3) -> f64 {
+    let [from, to] = ends(polytope, edge);
+    let along = to - from;
+    let fraction = (point - from).dot(along) / along.length_squared();
+    // An end is taken as it is, so that edges that share it tie.
+    let foot = if fraction >= 1.0 {
+        to
+    } else {
+        from + fraction.max(0.0) * along
+    };
+    point.distance_squared(foot)
+}
+
+/// The nearest point of the polytope, known to be on one of its edges.
+fn on_edge(polytope: &Polytope, index: u32, point: DVec3) -> Nearest {
+    let edge = &polytope.edges()[index as usize];
+    let [from, to] = ends(polytope, edge);
     let normals = edge
         .faces
         .map(|face| polytope.face_normals()[face as usize]);

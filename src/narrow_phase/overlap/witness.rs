@@ -85,6 +85,33 @@ fn mean(points: &[DVec2]) -> DVec2 {
     points.iter().sum::<DVec2>() / points.len().max(1) as f64
 }
 
+/// The centroid of a convex polygon; the middle of its length if it has next to no area.
+///
+/// Corners that rounding doubled carry no area, but would pull a mean.
+fn centroid(points: &[DVec2]) -> DVec2 {
+    let centre = mean(points);
+    let (mut area, mut moment) = (0.0, DVec2::ZERO);
+    for (index, &point) in points.iter().enumerate() {
+        let (p, q) = (point - centre, points[(index + 1) % points.len()] - centre);
+        let doubled = p.perp_dot(q);
+        area += doubled;
+        moment += doubled * (p + q);
+    }
+    let farthest = |from: DVec2| {
+        let nearer = |p: &&DVec2, q: &&DVec2| {
+            p.distance_squared(from)
+                .total_cmp(&q.distance_squared(from))
+        };
+        points.iter().max_by(nearer).copied().unwrap_or(from)
+    };
+    let end = farthest(centre);
+    if area > 1e-9 * end.distance_squared(centre) {
+        centre + moment / (3.0 * area)
+    } else {
+        0.5 * (end + farthest(end))
+    }
+}
+
 /// A point that two convex point sets share: points, segments or polygons.
 fn middle(a: &[DVec2], b: &[DVec2]) -> DVec2 {
     let (subject, clip) = if a.len() <= b.len() { (a, b) } else { (b, a) };
@@ -97,7 +124,7 @@ fn middle(a: &[DVec2], b: &[DVec2]) -> DVec2 {
                 // Rounding alone keeps them apart.
                 0.5 * (mean(a) + mean(b))
             } else {
-                mean(&shared)
+                centroid(&shared)
             }
         }
     }

@@ -55,11 +55,36 @@ impl Aim {
                 max,
             } => {
                 let x = 0.5 * (min + max) + 0.5 * (max - min) * at.x;
-                let height = |radius: f64, x: f64| ((radius - x) * (radius + x)).max(0.0).sqrt();
-                let y = at.y * height(radii[0], x).min(height(radii[1], x - centre_b));
+                let height = |radius: f64, x: f64| f64::max((radius - x) * (radius + x), 0.0);
+                let y = at.y * f64::min(height(radii[0], x), height(radii[1], x - centre_b)).sqrt();
                 DVec2::new(x, y)
             }
             Self::Rectangle { min, max } => 0.5 * (*min + *max) + 0.5 * (*max - *min) * at,
+        }
+    }
+
+    /// [`point`](Self::point) for each of many.
+    pub(super) fn points(&self, lattice: &[DVec2], xs: &mut Vec<f64>, ys: &mut Vec<f64>) {
+        // One array after the other, so that the compiler does several points at a time.
+        match *self {
+            Self::Lens {
+                radii,
+                centre_b,
+                min,
+                max,
+            } => {
+                let (middle, half) = (0.5 * (min + max), 0.5 * (max - min));
+                xs.extend(lattice.iter().map(|at| middle + half * at.x));
+                let height = |radius: f64, x: f64| f64::max((radius - x) * (radius + x), 0.0);
+                ys.extend(lattice.iter().zip(xs.iter()).map(|(at, &x)| {
+                    at.y * f64::min(height(radii[0], x), height(radii[1], x - centre_b)).sqrt()
+                }));
+            }
+            Self::Rectangle { min, max } => {
+                let (middle, half) = (0.5 * (min + max), 0.5 * (max - min));
+                xs.extend(lattice.iter().map(|at| middle.x + half.x * at.x));
+                ys.extend(lattice.iter().map(|at| middle.y + half.y * at.y));
+            }
         }
     }
 

@@ -1,7 +1,6 @@
 //! The shortest ray between two bodies.
 
 use crate::geometry::{Feature, Mesh, Pose, Shape};
-use crate::math::frame::orthonormal;
 use crate::narrow_phase::rays::aim::Aim;
 use crate::narrow_phase::rays::refine::{search_area, search_edge};
 use crate::narrow_phase::rays::shadow::{Shadow, Side, View};
@@ -48,8 +47,6 @@ pub(crate) struct RayCaster {
     ahead: Starts,
     behind: Starts,
     gaps: Vec<f64>,
-    refined: Starts,
-    depths: Vec<f64>,
 }
 
 /// A ray found to be the shortest so far.
@@ -91,8 +88,6 @@ impl RayCaster {
             ahead: Starts::default(),
             behind: Starts::default(),
             gaps: Vec::new(),
-            refined: Starts::default(),
-            depths: Vec::new(),
         }
     }
 
@@ -142,7 +137,7 @@ impl RayCaster {
             // No motion, or one too short to have a direction.
             return None;
         }
-        let view = view(direction, between);
+        let view = View::along(direction, between);
         let centre_b = view.coordinates(between);
         let shadow_a = Shadow::new(a.shape, a.pose, view, DVec3::ZERO);
         let shadow_b = Shadow::new(b.shape, b.pose, view, centre_b);
@@ -176,12 +171,8 @@ impl RayCaster {
         let [outline_a, outline_b] = &scene.outlines;
         match self.config.placement {
             Placement::Aimed => {
-                let points = self.lattice.iter().map(|&at| scene.aim.point(at));
-                self.ahead.push_plane(points);
-                scene
-                    .shadow_a
-                    .far(&self.ahead.xs, &self.ahead.ys, &mut self.depths);
-                self.ahead.zs.copy_from_slice(&self.depths);
+                self.ahead
+                    .push_aimed(&self.lattice, &scene.aim, &scene.shadow_a);
                 let each = (self.config.rays / 32).clamp(1, 8);
                 self.ahead.push_vertices(outline_a, Some(&scene.aim));
                 self.ahead.push_edges(outline_a, &scene.aim, each);
@@ -242,7 +233,7 @@ impl RayCaster {
 
     /// Sends further rays around the shortest.
     fn refine(
-        &mut self,
+        &self,
         scene: &Scene<'_>,
         [best, best_edge]: [Option<Shortest>; 2],
         rays: &mut u64,
@@ -259,35 +250,20 @@ impl RayCaster {
         if let Some(edge) = best_edge {
             let share = budget / 2;
             budget -= share;
-            if let Some(found) = self.refine_edge(scene, edge, share, rays) {
+            if let Some(found) = refine_edge(scene, edge, share, rays) {
                 let mut kept = Some(best);
                 scene.keep_shorter(&mut kept, found);
                 best = kept?;
             }
         }
         let radius = 1.0 / f64::from(first).sqrt();
-        let Self {
-            refined,
-            depths,
-            gaps,
-            turns,
-            ..
-        } = self;
-        let (at, gap) = search_area(
-            (scene.aim.square(best.at), best.gap),
-            radius,
-            budget,
-            turns,
-            |points| {
-                *rays += points.len() as u64;
-                refined.clear();
-                refined.push_plane(points.iter().map(|&point| scene.aim.point(point)));
-                scene.shadow_a.far(&refined.xs, &refined.ys, depths);
-                refined.zs.copy_from_slice(depths);
-                gaps_ahead(refined, &scene.shadow_b, gaps);
-                std::array::from_fn(|index| scene.valid(gaps.get(index).copied()))
-            },
-        );
+        let start = (scene.aim.square(best.at), best.gap);
+        let (at, gap) = search_area(start, radius, budget, &self.turns, |point| {
+            *rays += 1;
+            let point = scene.aim.point(point);
+            let start = scene.shadow_a.depth(Side::Far, point);
+            scene.valid(scene.shadow_b.depth(Side::Near, point) - start)
+        });
         if gap < best.gap - scene.rounding() {
             best = Shortest {
                 at: scene.aim.point(at),
@@ -296,40 +272,37 @@ impl RayCaster {
                 behind: false,
             };
         }
-        Some(best)
+        Some(scene.polish(best, rays))
     }
+}
 
-    fn refine_edge(
-        &mut self,
-        scene: &Scene<'_>,
-        start: Shortest,
-        budget: u32,
-        rays: &mut u64,
-    ) -> Option<Shortest> {
-        let Origin::Edge { edge, at, between } = start.origin else {
-            return None;
-        };
-        let (from, to) = scene.outlines[usize::from(start.behind)].edge(edge)?;
-        let Self { refined, gaps, .. } = self;
-        let (at, gap) = search_edge((at, start.gap), between, budget, |at| {
-            *rays += 1;
-            refined.clear();
-            refined.push(from.lerp(to, at), start.origin);
-            if start.behind {
-                gaps_behind(refined, &scene.shadow_a, gaps);
-            } else {
-                gaps_ahead(refined, &scene.shadow_b, gaps);
-            }
-            scene.valid(gaps.first().copied())
-        });
-        let origin = Origin::Edge { edge, at, between };
-        Some(Shortest {
-            at: from.lerp(to, at).truncate(),
-            gap,
-            origin,
-            ..start
+/// Sends further rays along an edge, around the shortest from it.
+fn refine_edge(
+    scene: &Scene<'_>,
+    start: Shortest,
+    budget: u32,
+    rays: &mut u64,
+) -> Option<Shortest> {
+    let Origin::Edge { edge, at, between } = start.origin else {
+        return None;
+    };
+    let (from, to) = scene.outlines[usize::from(start.behind)].edge(edge)?;
+    let (at, gap) = search_edge((at, start.gap), between, budget, |at| {
+        *rays += 1;
+        let point = from.lerp(to, at);
+        scene.valid(if start.behind {
+            point.z - scene.shadow_a.depth(Side::Far, point.truncate())
+        } else {
+            scene.shadow_b.depth(Side::Near, point.truncate()) - point.z
         })
-    }
+    });
+    let origin = Origin::Edge { edge, at, between };
+    Some(Shortest {
+        at: from.lerp(to, at).truncate(),
+        gap,
+        origin,
+        ..start
+    })
 }
 
 /// Two bodies seen along their relative motion.
@@ -358,7 +331,7 @@ impl Scene<'_> {
             let turn = crate::sampling::turn_zenith(side * self.view.z);
             for &point in hemisphere {
                 let point = self.view.coordinates(sphere.radius() * turn(point));
-                starts.push(centre + point, Origin::Area);
+                starts.push_surface(centre + point);
             }
         }
         let shape_centre = body.shape.centre();
@@ -366,7 +339,7 @@ impl Scene<'_> {
             let point = self
                 .view
                 .coordinates(body.pose.direction(point - shape_centre));
-            starts.push(centre + point, Origin::Area);
+            starts.push_surface(centre + point);
         }
     }
 
@@ -380,8 +353,8 @@ impl Scene<'_> {
     }
 
     /// A gap that a ray can have, or NaN.
-    fn valid(&self, gap: Option<f64>) -> f64 {
-        gap.filter(|&gap| gap >= -self.touch).unwrap_or(f64::NAN)
+    fn valid(&self, gap: f64) -> f64 {
+        if gap >= -self.touch { gap } else { f64::NAN }
     }
 
     fn keep_shorter(&self, best: &mut Option<Shortest>, found: Shortest) {
@@ -398,6 +371,50 @@ impl Scene<'_> {
         }
     }
 
+    /// The ray between a ball and the face of the other body that the shortest
+    /// ray so far leads to, if it is shorter still.
+    ///
+    /// The ball touches that face with the point whose normal opposes it. Where
+    /// the ball nearly slides along the face, this point lies at the rim of its
+    /// shadow, and rays that close in on it from the middle come too slowly.
+    fn polish(&self, mut best: Shortest, rays: &mut u64) -> Shortest {
+        let (ball, behind) = match (self.shadow_a.disc(), self.shadow_b.disc()) {
+            (Some(_), None) => (&self.shadow_a, false),
+            (None, Some(_)) => (&self.shadow_b, true),
+            _ => return best,
+        };
+        // A better ray may lead to the face beside; a few are enough.
+        for _ in 0..4 {
+            let Some((far_a, near_b)) = self.ends(best) else {
+                break;
+            };
+            let (x, y) = (best.at.x, best.at.y);
+            let (normal, _) = if behind {
+                self.shadow_a.surface_at(x, y, far_a, Side::Far)
+            } else {
+                self.shadow_b.surface_at(x, y, near_b, Side::Near)
+            };
+            let start = ball.centre - ball.size * self.view.coordinates(normal);
+            let gap = self.valid(if behind {
+                start.z - self.shadow_a.depth(Side::Far, start.truncate())
+            } else {
+                self.shadow_b.depth(Side::Near, start.truncate()) - start.z
+            });
+            *rays += 1;
+            // NaN, a miss, fails the comparison.
+            if !(gap < best.gap) {
+                break;
+            }
+            best = Shortest {
+                at: start.truncate(),
+                gap,
+                origin: Origin::Area,
+                behind,
+            };
+        }
+        best
+    }
+
     /// What the shortest ray tells about the touch.
     fn touch(&self, best: Shortest) -> Option<RayTouch> {
         let fraction = best.gap.max(0.0) / self.longest;
@@ -407,8 +424,13 @@ impl Scene<'_> {
             let (far_a, near_b) = self.ends(best)?;
             let (normal_a, surface_a) = self.shadow_a.surface_at(x, y, far_a, Side::Far);
             let (normal_b, surface_b) = self.shadow_b.surface_at(x, y, near_b, Side::Near);
+            // Where an edge meets an edge a ray knows no better normal than
+            // the triangle's that it hits, and the second body's is asked for.
+            let on_edges = matches!(best.origin, Origin::Edge { .. })
+                && self.shadow_a.leaves_by_edge(x, y, far_a);
             let (normal, features) = if best.behind {
-                (-normal_a, [surface_a, best.origin.feature(surface_b)])
+                let normal = if on_edges { normal_b } else { -normal_a };
+                (normal, [surface_a, best.origin.feature(surface_b)])
             } else {
                 (normal_b, [best.origin.feature(surface_a), surface_b])
             };
@@ -435,20 +457,6 @@ impl Scene<'_> {
             Some((near - best.gap, near))
         }
     }
-}
-
-/// A frame along the motion, its first axis towards the second body.
-fn view(direction: DVec3, between: DVec3) -> View {
-    let across = between - between.dot(direction) * direction;
-    let x = across
-        .try_normalize()
-        .and_then(|x| (x - x.dot(direction) * direction).try_normalize());
-    let (x, y) = match x {
-        // What is left of a body straight ahead is rounding, and no direction.
-        Some(x) if across.length() > 1e-14 * between.length() => (x, direction.cross(x)),
-        _ => orthonormal(direction),
-    };
-    View { x, y, z: direction }
 }
 
 /// How many of the rays are not kept for refinement.

@@ -1,6 +1,7 @@
 //! A body seen along the motion.
 
 use crate::geometry::{Feature, Mesh, Pose, Shape};
+use crate::math::frame::orthonormal;
 use glam::{DVec2, DVec3};
 
 /// The frame in which all rays of a pair are parallel to `z`.
@@ -16,6 +17,20 @@ pub(super) struct View {
 }
 
 impl View {
+    /// A frame along the motion, its first axis towards the second body.
+    pub(super) fn along(direction: DVec3, between: DVec3) -> Self {
+        let across = between - between.dot(direction) * direction;
+        let x = across
+            .try_normalize()
+            .and_then(|x| (x - x.dot(direction) * direction).try_normalize());
+        let (x, y) = match x {
+            // What is left of a body straight ahead is rounding, and no direction.
+            Some(x) if across.length() > 1e-14 * between.length() => (x, direction.cross(x)),
+            _ => orthonormal(direction),
+        };
+        Self { x, y, z: direction }
+    }
+
     /// Coordinates in this frame of a vector of the world.
     pub(super) fn coordinates(&self, vector: DVec3) -> DVec3 {
         DVec3::new(vector.dot(self.x), vector.dot(self.y), vector.dot(self.z))
@@ -139,40 +154,34 @@ impl<'a> Shadow<'a> {
         self.slack
     }
 
-    /// Where lines through `(xs[i], ys[i])` enter the body; NaN where they miss it.
-    pub(super) fn near(&self, xs: &[f64], ys: &[f64], out: &mut Vec<f64>) {
+    /// Where lines through `(xs[i], ys[i])` enter or leave the body; NaN where they miss it.
+    pub(super) fn depths(&self, side: Side, xs: &[f64], ys: &[f64], out: &mut Vec<f64>) {
         out.clear();
-        match &self.surface {
-            Surface::Ball { radius } => self.ball(-1.0, *radius, xs, ys, out),
-            Surface::Facets(_) | Surface::Flat(_) => {
-                let near = |(&x, &y)| self.span(x, y).map_or(f64::NAN, |(near, _)| near);
-                out.extend(xs.iter().zip(ys).map(near));
-            }
-        }
+        out.extend(
+            xs.iter()
+                .zip(ys)
+                .map(|(&x, &y)| self.depth(side, DVec2::new(x, y))),
+        );
     }
 
-    /// Where lines through `(xs[i], ys[i])` leave the body; NaN where they miss it.
-    pub(super) fn far(&self, xs: &[f64], ys: &[f64], out: &mut Vec<f64>) {
-        out.clear();
-        match &self.surface {
-            Surface::Ball { radius } => self.ball(1.0, *radius, xs, ys, out),
-            Surface::Facets(_) | Surface::Flat(_) => {
-                let far = |(&x, &y)| self.span(x, y).map_or(f64::NAN, |(_, far)| far);
-                out.extend(xs.iter().zip(ys).map(far));
-            }
+    /// Where the line through a point enters or leaves the body; NaN where it misses it.
+    #[inline]
+    pub(super) fn depth(&self, side: Side, point: DVec2) -> f64 {
+        if let Surface::Ball { radius } = self.surface {
+            let squared = radius * radius - (point - self.centre.truncate()).length_squared();
+            // Below the slack the root is of a negative number: NaN, a miss.
+            let grazing = squared < 0.0 && squared >= -2.0 * radius * self.slack;
+            let height = if grazing { 0.0 } else { squared.sqrt() };
+            return match side {
+                Side::Near => self.centre.z - height,
+                Side::Far => self.centre.z + height,
+            };
         }
-    }
-
-    fn ball(&self, side: f64, radius: f64, xs: &[f64], ys: &[f64], out: &mut Vec<f64>) {
-        let (squared, slack) = (radius * radius, 2.0 * radius * self.slack);
-        // Written without branches: the compiler does several lines at a time.
-        out.extend(xs.iter().zip(ys).map(|(x, y)| {
-            let (x, y) = (x - self.centre.x, y - self.centre.y);
-            let left = squared - (x * x + y * y);
-            let height = if left >= 0.0 { left } else { 0.0 };
-            let missed = if left >= -slack { 0.0 } else { f64::NAN };
-            self.centre.z + side * height.sqrt() + missed
-        }));
+        match (self.span(point.x, point.y), side) {
+            (Some((near, _)), Side::Near) => near,
+            (Some((_, far)), Side::Far) => far,
+            (None, _) => f64::NAN,
+        }
     }
 
     /// Where the line through `(x, y)` enters and leaves the body.
@@ -188,6 +197,25 @@ impl<'a> Shadow<'a> {
             Surface::Flat(corners) => flat_span(corners, at, self.slack),
         }?;
         Some((near + self.centre.z, far + self.centre.z))
+    }
+
+    /// Whether the line through `(x, y)` leaves the body, which it does at
+    /// `depth`, on an edge between two faces or close to one.
+    pub(super) fn leaves_by_edge(&self, x: f64, y: f64, depth: f64) -> bool {
+        /// Share of the body's size that is close. The refinement comes within
+        /// a thousandth of this.
+        const CLOSE: f64 = 1e-6;
+        let Surface::Facets(facets) = &self.surface else {
+            return false;
+        };
+        let at = DVec2::new(x, y) - self.centre.truncate();
+        let limit = depth - self.centre.z + CLOSE * self.size;
+        facets
+            .far
+            .iter()
+            .filter(|facet| facet.at(at) <= limit)
+            .count()
+            > 1
     }
 
     /// Outward unit normal and feature where the line through `(x, y)` enters

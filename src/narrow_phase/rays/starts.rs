@@ -2,16 +2,18 @@
 
 use crate::geometry::{Feature, Mesh, Pose, Shape};
 use crate::narrow_phase::rays::aim::Aim;
-use crate::narrow_phase::rays::shadow::{Shadow, View};
+use crate::narrow_phase::rays::shadow::{Shadow, Side, View};
 use glam::{DVec2, DVec3};
 
-/// Starting points on one body as a structure of arrays, in view coordinates.
+/// Starting points on one body as a structure of arrays, in view coordinates:
+/// first those somewhere on the surface, then vertices and points of edges.
 #[derive(Default)]
 pub(super) struct Starts {
     pub(super) xs: Vec<f64>,
     pub(super) ys: Vec<f64>,
     /// Depth of the point along the motion.
     pub(super) zs: Vec<f64>,
+    /// Of the points after those on the surface.
     origins: Vec<Origin>,
 }
 
@@ -44,21 +46,30 @@ impl Starts {
     }
 
     pub(super) fn origin(&self, index: usize) -> Origin {
-        self.origins.get(index).copied().unwrap_or(Origin::Area)
+        let surface = self.len() - self.origins.len();
+        index
+            .checked_sub(surface)
+            .and_then(|index| self.origins.get(index).copied())
+            .unwrap_or(Origin::Area)
     }
 
-    pub(super) fn push(&mut self, point: DVec3, origin: Origin) {
-        self.xs.push(point.x);
-        self.ys.push(point.y);
-        self.zs.push(point.z);
+    fn push(&mut self, point: DVec3, origin: Origin) {
+        self.push_surface(point);
         self.origins.push(origin);
     }
 
-    /// Points of the plane whose depths are still to be found.
-    pub(super) fn push_plane(&mut self, points: impl IntoIterator<Item = DVec2>) {
-        for point in points {
-            self.push(point.extend(0.0), Origin::Area);
-        }
+    /// A point on the surface; only before all vertices and edges.
+    pub(super) fn push_surface(&mut self, point: DVec3) {
+        self.xs.push(point.x);
+        self.ys.push(point.y);
+        self.zs.push(point.z);
+    }
+
+    /// Points on the surface over the aim, where the lattice's points fall.
+    pub(super) fn push_aimed(&mut self, lattice: &[DVec2], aim: &Aim, body: &Shadow<'_>) {
+        debug_assert!(self.xs.is_empty(), "points over the aim come first");
+        aim.points(lattice, &mut self.xs, &mut self.ys);
+        body.depths(Side::Far, &self.xs, &self.ys, &mut self.zs);
     }
 
     /// All vertices of a body; with an aim, those over it.
@@ -134,7 +145,7 @@ impl Origin {
 
 /// Which shadow gives the rest of the line: kept beside the points it belongs to.
 pub(super) fn gaps_ahead(starts: &Starts, target: &Shadow<'_>, depths: &mut Vec<f64>) {
-    target.near(&starts.xs, &starts.ys, depths);
+    target.depths(Side::Near, &starts.xs, &starts.ys, depths);
     for (depth, start) in depths.iter_mut().zip(&starts.zs) {
         *depth -= start;
     }
@@ -142,7 +153,7 @@ pub(super) fn gaps_ahead(starts: &Starts, target: &Shadow<'_>, depths: &mut Vec<
 
 /// As [`gaps_ahead`], for rays sent back against the motion.
 pub(super) fn gaps_behind(starts: &Starts, target: &Shadow<'_>, depths: &mut Vec<f64>) {
-    target.far(&starts.xs, &starts.ys, depths);
+    target.depths(Side::Far, &starts.xs, &starts.ys, depths);
     for (depth, start) in depths.iter_mut().zip(&starts.zs) {
         *depth = start - *depth;
     }
