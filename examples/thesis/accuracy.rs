@@ -6,11 +6,11 @@ use feeler::{Contact, Method, RayConfig, Scene, SceneError, StepError};
 use thiserror::Error;
 
 /// Seeds that every run is repeated with.
-pub const SEEDS: std::ops::RangeInclusive<u64> = 1..=20;
+pub(crate) const SEEDS: std::ops::RangeInclusive<u64> = 1..=20;
 
 /// How a scene is examined.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Settings {
+pub(crate) enum Settings {
     /// The method as the thesis publishes it.
     Thesis,
     /// This crate's default.
@@ -18,17 +18,17 @@ pub enum Settings {
 }
 
 impl Settings {
-    pub const BOTH: [Self; 2] = [Self::Thesis, Self::Rays];
+    pub(crate) const BOTH: [Self; 2] = [Self::Thesis, Self::Rays];
 
     #[allow(dead_code, reason = "the tests that share this file may not")]
-    pub fn name(self) -> &'static str {
+    pub(crate) fn name(self) -> &'static str {
         match self {
             Self::Thesis => "thesis",
             Self::Rays => "rays",
         }
     }
 
-    pub fn config(self, rays: u32, seed: u64) -> RayConfig {
+    pub(crate) fn config(self, rays: u32, seed: u64) -> RayConfig {
         match self {
             Self::Thesis => RayConfig {
                 seed,
@@ -45,7 +45,7 @@ impl Settings {
 
 /// A scene that cannot be run.
 #[derive(Debug, Error)]
-pub enum RunError {
+pub(crate) enum RunError {
     #[error(transparent)]
     Scene(#[from] SceneError),
     #[error(transparent)]
@@ -53,7 +53,7 @@ pub enum RunError {
 }
 
 /// The first touch in a scene, frame by frame.
-pub fn first_touch(scene: &Scene, config: RayConfig) -> Result<Option<Contact>, RunError> {
+pub(crate) fn first_touch(scene: &Scene, config: RayConfig) -> Result<Option<Contact>, RunError> {
     let mut scene = scene.clone();
     scene.config.method = Method::Rays(config);
     let (mut world, _) = scene.world()?;
@@ -67,7 +67,7 @@ pub fn first_touch(scene: &Scene, config: RayConfig) -> Result<Option<Contact>, 
 }
 
 /// How many frames a scene lasts.
-pub fn frames(scene: &Scene) -> u64 {
+pub(crate) fn frames(scene: &Scene) -> u64 {
     /// Where neither the scene nor a path says how long, in seconds.
     const OPEN: f64 = 10.0;
     let flights = scene.bodies.iter().map(|named| {
@@ -86,7 +86,7 @@ pub fn frames(scene: &Scene) -> u64 {
 
 /// What one run of a scene gave.
 #[derive(Debug, Clone)]
-pub struct Run {
+pub(crate) struct Run {
     pub settings: Settings,
     pub rays: u32,
     pub seed: u64,
@@ -98,7 +98,7 @@ pub struct Run {
 }
 
 /// One run.
-pub fn run(
+pub(crate) fn run(
     file: &SceneFile,
     scene: &Scene,
     settings: Settings,
@@ -128,7 +128,7 @@ pub fn run(
 }
 
 /// One run for every seed, from the least agreement to the best.
-pub fn runs(file: &SceneFile, settings: Settings, rays: u32) -> Result<Vec<Run>, RunError> {
+pub(crate) fn runs(file: &SceneFile, settings: Settings, rays: u32) -> Result<Vec<Run>, RunError> {
     let mut runs = SEEDS
         .map(|seed| run(file, &file.scene, settings, rays, seed))
         .collect::<Result<Vec<_>, _>>()?;
@@ -138,6 +138,6 @@ pub fn runs(file: &SceneFile, settings: Settings, rays: u32) -> Result<Vec<Run>,
 }
 
 /// The run in the middle; of two the one that agrees less.
-pub fn median(runs: &[Run]) -> Option<&Run> {
+pub(crate) fn median(runs: &[Run]) -> Option<&Run> {
     runs.get(runs.len().saturating_sub(1) / 2)
 }

@@ -11,7 +11,7 @@
 /// as good.)
 ///
 /// A measure with edges: expecting 0.5, a result of 0.01 counts as 2 %, one of 0 as 67 %.
-pub fn agreement(found: [f64; 3], expected: [f64; 3]) -> f64 {
+pub(crate) fn agreement(found: [f64; 3], expected: [f64; 3]) -> f64 {
     let quotients = found.into_iter().zip(expected).map(|(x, y)| {
         if x * y < 0.0 {
             return 0.0;

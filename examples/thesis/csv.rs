@@ -6,10 +6,10 @@ use crate::timing::FrameTimes;
 use std::fmt::Write;
 
 /// `accuracy.csv`, line by line.
-pub struct Accuracy(pub String);
+pub(crate) struct Accuracy(pub String);
 
 impl Accuracy {
-    pub fn new() -> Self {
+    pub(crate) fn new() -> Self {
         Self(
             "scene,method,rays,seed,px,py,pz,nx,ny,nz,time,agreement_point,agreement_normal,\
              thesis_agreement\n"
@@ -18,7 +18,7 @@ impl Accuracy {
     }
 
     /// One run; fields without a figure stay empty.
-    pub fn push(&mut self, scene: &str, run: &Run, thesis: Option<f64>) {
+    pub(crate) fn push(&mut self, scene: &str, run: &Run, thesis: Option<f64>) {
         let mut fields = vec![
             scene.to_owned(),
             run.settings.name().to_owned(),
@@ -40,7 +40,7 @@ impl Accuracy {
 }
 
 /// `timing.csv`.
-pub fn timing(times: &[FrameTimes]) -> String {
+pub(crate) fn timing(times: &[FrameTimes]) -> String {
     let mut csv = "scene,bodies,rays,broad_phase,ms_median,ms_worst,thesis_ms\n".to_owned();
     for time in times {
         // Writing to a string cannot fail.

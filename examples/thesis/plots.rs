@@ -1,21 +1,23 @@
 //! Plots as SVG files.
 
+use plotters::chart::MeshStyle;
 use plotters::coord::Shift;
+use plotters::coord::ranged1d::ValueFormatter;
 use plotters::prelude::*;
 use std::error::Error;
 use std::path::Path;
 
 /// Colours that are told apart by everyone (Okabe and Ito, 2008).
-pub const ORANGE: RGBColor = RGBColor(213, 94, 0);
-pub const BLUE: RGBColor = RGBColor(0, 114, 178);
-pub const GREEN: RGBColor = RGBColor(0, 158, 115);
-pub const PURPLE: RGBColor = RGBColor(150, 80, 140);
+pub(crate) const ORANGE: RGBColor = RGBColor(213, 94, 0);
+pub(crate) const BLUE: RGBColor = RGBColor(0, 114, 178);
+pub(crate) const GREEN: RGBColor = RGBColor(0, 158, 115);
+pub(crate) const PURPLE: RGBColor = RGBColor(150, 80, 140);
 
 const INK: RGBColor = RGBColor(60, 60, 60);
 const SIZE: (u32, u32) = (960, 600);
 
 /// A line through points, and its name.
-pub struct Series {
+pub(crate) struct Series {
     pub name: String,
     pub colour: RGBColor,
     /// Measured elsewhere: hollow points, a thin line.
@@ -24,7 +26,7 @@ pub struct Series {
 }
 
 /// A plot over the number of rays, which runs logarithmically.
-pub struct Plot<'a> {
+pub(crate) struct Plot<'a> {
     pub title: &'a str,
     pub unit: &'a str,
     /// Whether the vertical axis runs logarithmically too.
@@ -33,7 +35,7 @@ pub struct Plot<'a> {
 }
 
 impl Plot<'_> {
-    pub fn draw(&self, path: &Path) -> Result<(), Box<dyn Error>> {
+    pub(crate) fn draw(&self, path: &Path) -> Result<(), Box<dyn Error>> {
         let root = SVGBackend::new(path, SIZE).into_drawing_area();
         root.fill(&WHITE)?;
         let (head, body) = root.split_vertically(96);
@@ -109,15 +111,10 @@ impl Plot<'_> {
 
 impl Plot<'_> {
     /// Axes and grid, whatever the vertical axis.
-    fn style<X, Y, B>(
-        &self,
-        mesh: &mut plotters::chart::MeshStyle<'_, '_, X, Y, B>,
-    ) -> Result<(), Box<dyn Error>>
+    fn style<X, Y, B>(&self, mesh: &mut MeshStyle<'_, '_, X, Y, B>) -> Result<(), Box<dyn Error>>
     where
-        X: plotters::coord::ranged1d::Ranged<ValueType = f64>
-            + plotters::coord::ranged1d::ValueFormatter<f64>,
-        Y: plotters::coord::ranged1d::Ranged<ValueType = f64>
-            + plotters::coord::ranged1d::ValueFormatter<f64>,
+        X: Ranged<ValueType = f64> + ValueFormatter<f64>,
+        Y: Ranged<ValueType = f64> + ValueFormatter<f64>,
         B: DrawingBackend,
         B::ErrorType: 'static,
     {

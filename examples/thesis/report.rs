@@ -7,7 +7,7 @@ use feeler::Contact;
 use glam::DVec3;
 
 /// The heading of a scene.
-pub fn heading(file: &SceneFile) {
+pub(crate) fn heading(file: &SceneFile) {
     println!("\n{}: {}", file.scene.name, file.scene.about);
     if let (Some(point), Some(normal)) = (file.thesis.point, file.thesis.normal) {
         println!(
@@ -34,7 +34,7 @@ fn found(contact: Option<&Contact>, part: impl Fn(&Contact) -> DVec3) -> String 
 
 /// A scene's agreements, in %, medians over all seeds; `by_rays` holds for every
 /// number of rays the runs of either settings, the least agreement first.
-pub fn agreements(file: &SceneFile, by_rays: &[(u32, [Vec<Run>; 2])]) {
+pub(crate) fn agreements(file: &SceneFile, by_rays: &[(u32, [Vec<Run>; 2])]) {
     println!(
         "{:>5} | {:<33} {:>6} {:>6} | {:<33} {:>6} {:>6} {:>11} | {:<33} {:>6} {:>6} {:>9}",
         "rays",
@@ -93,7 +93,7 @@ fn seconds(contact: Option<&Contact>) -> String {
 }
 
 /// Runs of a scene that was varied, each with what was varied.
-pub fn variants(what: &str, variants: &[(String, Run)]) {
+pub(crate) fn variants(what: &str, variants: &[(String, Run)]) {
     println!(
         "{what:>9} | {:>8} {:>5} | {:<33} {:>9}",
         "settings", "rays", "point", "time/s"
@@ -111,7 +111,7 @@ pub fn variants(what: &str, variants: &[(String, Run)]) {
 }
 
 /// Frame times.
-pub fn times(times: &[FrameTimes]) {
+pub(crate) fn times(times: &[FrameTimes]) {
     println!("ms a frame over the whole flight, each frame the best of several flights");
     println!(
         "{:>6} {:>5} {:>12} | {:>9} {:>9} | {:>9}",
@@ -131,7 +131,7 @@ pub fn times(times: &[FrameTimes]) {
 }
 
 /// A broad phase's name in tables.
-pub fn broad_phase(acceleration: Acceleration) -> &'static str {
+pub(crate) fn broad_phase(acceleration: Acceleration) -> &'static str {
     match acceleration {
         Acceleration::Plain => "plain",
         Acceleration::Accelerated => "accelerated",
@@ -139,7 +139,7 @@ pub fn broad_phase(acceleration: Acceleration) -> &'static str {
 }
 
 /// All contacts of a scene, as they come.
-pub fn contacts(file: &SceneFile, contacts: &[(Contact, [String; 2])]) {
+pub(crate) fn contacts(file: &SceneFile, contacts: &[(Contact, [String; 2])]) {
     println!(
         "{:>10}  {:<20} {:<33} {:<33} kind",
         "time/s", "bodies", "point", "normal"

@@ -8,7 +8,7 @@ use toml::de::{DeTable, Deserializer};
 
 /// A scene file that was read.
 #[derive(Debug, Clone)]
-pub struct SceneFile {
+pub(crate) struct SceneFile {
     /// The file's name without its ending.
     pub id: String,
     pub scene: Scene,
@@ -18,7 +18,7 @@ pub struct SceneFile {
 /// The section `[thesis]`: what is expected and what the thesis found.
 #[derive(Debug, Clone, Default, Deserialize)]
 #[serde(default, deny_unknown_fields)]
-pub struct Thesis {
+pub(crate) struct Thesis {
     /// The contact's point.
     pub point: Option<[f64; 3]>,
     /// The contact's normal.
@@ -34,7 +34,7 @@ pub struct Thesis {
 /// A row of a table of agreements, in %.
 #[derive(Debug, Clone, Copy, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Row {
+pub(crate) struct Row {
     pub rays: u32,
     /// The point the thesis found; none if there was no contact.
     pub found: Option<[f64; 3]>,
@@ -46,7 +46,7 @@ pub struct Row {
 /// A body to be placed here and there.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Positions {
+pub(crate) struct Positions {
     pub body: String,
     pub rays: Vec<u32>,
     pub at: Vec<[f64; 3]>,
@@ -55,7 +55,7 @@ pub struct Positions {
 /// A body to be moved at several speeds, in m/s.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Speeds {
+pub(crate) struct Speeds {
     pub body: String,
     pub speeds: Vec<f64>,
 }
@@ -63,7 +63,7 @@ pub struct Speeds {
 /// A table of frame times in ms.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Timing {
+pub(crate) struct Timing {
     /// How many bodies take part, the first ones of the scene.
     pub bodies: usize,
     #[serde(default)]
@@ -75,7 +75,7 @@ pub struct Timing {
 /// Whether boxes around the paths spare pairs.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub enum Acceleration {
+pub(crate) enum Acceleration {
     Plain,
     #[default]
     Accelerated,
@@ -83,7 +83,7 @@ pub enum Acceleration {
 
 /// A scene file cannot be used.
 #[derive(Debug, Error)]
-pub enum SceneFileError {
+pub(crate) enum SceneFileError {
     #[error("cannot read {}: {source}", path.display())]
     Read {
         path: PathBuf,
@@ -104,7 +104,7 @@ pub enum SceneFileError {
 
 impl SceneFile {
     /// Reads one file.
-    pub fn read(path: &Path) -> Result<Self, SceneFileError> {
+    pub(crate) fn read(path: &Path) -> Result<Self, SceneFileError> {
         let text = std::fs::read_to_string(path).map_err(|source| SceneFileError::Read {
             path: path.to_owned(),
             source,
@@ -126,7 +126,7 @@ impl SceneFile {
     }
 
     /// Reads all files of `examples/scenes`, in the order of their numbers.
-    pub fn read_all() -> Result<Vec<Self>, SceneFileError> {
+    pub(crate) fn read_all() -> Result<Vec<Self>, SceneFileError> {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/scenes");
         let failed = |source| SceneFileError::Read {
             path: folder.clone(),
@@ -148,14 +148,14 @@ impl SceneFile {
 
     /// The scene with its body `name` standing at `position`.
     #[allow(dead_code, reason = "the tests that share this file may not")]
-    pub fn placed(&self, name: &str, position: [f64; 3]) -> Result<Scene, SceneFileError> {
+    pub(crate) fn placed(&self, name: &str, position: [f64; 3]) -> Result<Scene, SceneFileError> {
         let motion = Motion::fixed(position)?;
         self.with_motion(name, |_| Some(Ok(motion.clone())))
     }
 
     /// The scene with its body `name` moving along its path at `speed`.
     #[allow(dead_code, reason = "the tests that share this file may not")]
-    pub fn sped(&self, name: &str, speed: f64) -> Result<Scene, SceneFileError> {
+    pub(crate) fn sped(&self, name: &str, speed: f64) -> Result<Scene, SceneFileError> {
         self.with_motion(name, |body| {
             let path = body.motion().path()?;
             Some(Motion::along(path.clone(), speed))
@@ -183,7 +183,7 @@ impl SceneFile {
     }
 
     /// All numbers of rays to try, in ascending order.
-    pub fn ray_counts(&self) -> Vec<u32> {
+    pub(crate) fn ray_counts(&self) -> Vec<u32> {
         let listed = self.thesis.table.iter().map(|row| row.rays);
         let mut counts: Vec<u32> = listed
             .chain(self.thesis.more_rays.iter().copied())
@@ -194,7 +194,7 @@ impl SceneFile {
     }
 
     /// The thesis's row for a number of rays.
-    pub fn row(&self, rays: u32) -> Option<&Row> {
+    pub(crate) fn row(&self, rays: u32) -> Option<&Row> {
         self.thesis.table.iter().find(|row| row.rays == rays)
     }
 }

@@ -10,7 +10,7 @@ const FLIGHTS: usize = 3;
 
 /// The frames of a scene with one number of bodies and rays.
 #[derive(Debug, Clone)]
-pub struct FrameTimes {
+pub(crate) struct FrameTimes {
     pub scene: String,
     pub bodies: usize,
     pub rays: u32,
@@ -21,7 +21,7 @@ pub struct FrameTimes {
 }
 
 /// Times all that the file's tables list, with the crate's default rays.
-pub fn time(file: &SceneFile) -> Result<Vec<FrameTimes>, RunError> {
+pub(crate) fn time(file: &SceneFile) -> Result<Vec<FrameTimes>, RunError> {
     let mut all = Vec::new();
     for table in &file.thesis.timing {
         for (index, &rays) in table.rays.iter().enumerate() {
