@@ -7,10 +7,12 @@
     reason = "a test fails by panicking"
 )]
 
+#[allow(dead_code, reason = "the example reads the rest")]
 #[path = "../examples/thesis/accuracy.rs"]
 mod accuracy;
 #[path = "../examples/thesis/agreement.rs"]
 mod agreement;
+#[allow(dead_code, reason = "the example reads the rest")]
 #[path = "../examples/thesis/scene_file.rs"]
 mod scene_file;
 

@@ -20,7 +20,6 @@ pub(crate) enum Settings {
 impl Settings {
     pub(crate) const BOTH: [Self; 2] = [Self::Thesis, Self::Rays];
 
-    #[allow(dead_code, reason = "the tests that share this file may not")]
     pub(crate) fn name(self) -> &'static str {
         match self {
             Self::Thesis => "thesis",

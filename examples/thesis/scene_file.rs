@@ -39,7 +39,6 @@ pub(crate) struct Row {
     /// The point the thesis found; none if there was no contact.
     pub found: Option<[f64; 3]>,
     pub point: f64,
-    #[allow(dead_code, reason = "the tests that share this file compare points")]
     pub normal: f64,
 }
 
@@ -147,14 +146,12 @@ impl SceneFile {
     }
 
     /// The scene with its body `name` standing at `position`.
-    #[allow(dead_code, reason = "the tests that share this file may not")]
     pub(crate) fn placed(&self, name: &str, position: [f64; 3]) -> Result<Scene, SceneFileError> {
         let motion = Motion::fixed(position)?;
         self.with_motion(name, |_| Some(Ok(motion.clone())))
     }
 
     /// The scene with its body `name` moving along its path at `speed`.
-    #[allow(dead_code, reason = "the tests that share this file may not")]
     pub(crate) fn sped(&self, name: &str, speed: f64) -> Result<Scene, SceneFileError> {
         self.with_motion(name, |body| {
             let path = body.motion().path()?;

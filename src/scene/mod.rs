@@ -41,7 +41,7 @@
 //! | `name`, `about` | for people | `about` is empty |
 //! | `frame_rate` | frames per second | 24 |
 //! | `duration` | seconds | open |
-//! | `config` | a [`WorldConfig`](crate::WorldConfig) | the default |
+//! | `config` | a [`WorldConfig`] | the default |
 //! | `bodies` | each a `name`, `shape`, `orientation`, `motion` | none |
 //!
 //! Shapes: `{ sphere = { radius } }`, `{ cuboid = { half_extents } }`,
