@@ -44,7 +44,9 @@ fn imports(line: &str) -> Vec<String> {
     let mut found = Vec::new();
     for rest in code.split("crate::").skip(1) {
         let name = |text: &str| {
-            text.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect::<String>()
+            text.chars()
+                .take_while(|c| c.is_alphanumeric() || *c == '_')
+                .collect::<String>()
         };
         if let Some(list) = rest.strip_prefix('{') {
             found.extend(list.split(',').map(|item| name(item.trim())));
@@ -63,7 +65,11 @@ fn imports_only_look_down() -> Result<(), Box<dyn Error>> {
     let (mut checked, mut wrong) = (0, Vec::new());
     for file in &files {
         let place = file.strip_prefix(&source)?;
-        let module = place.iter().next().and_then(|name| name.to_str()).unwrap_or_default();
+        let module = place
+            .iter()
+            .next()
+            .and_then(|name| name.to_str())
+            .unwrap_or_default();
         let module = module.trim_end_matches(".rs");
         if module == "lib" || ANYWHERE.contains(&module) {
             continue;
@@ -81,8 +87,15 @@ fn imports_only_look_down() -> Result<(), Box<dyn Error>> {
             }
         }
     }
-    assert!(checked > 50, "only {checked} imports were found: does this test still read the code?");
-    assert!(wrong.is_empty(), "imports that look up or aside:\n{}", wrong.join("\n"));
+    assert!(
+        checked > 50,
+        "only {checked} imports were found: does this test still read the code?"
+    );
+    assert!(
+        wrong.is_empty(),
+        "imports that look up or aside:\n{}",
+        wrong.join("\n")
+    );
     Ok(())
 }
 
@@ -103,7 +116,13 @@ fn no_file_is_longer_than_it_should_be() -> Result<(), Box<dyn Error>> {
 #[test]
 fn the_reader_of_imports_sees_them() {
     assert_eq!(imports("use crate::geometry::Shape;"), ["geometry"]);
-    assert_eq!(imports("use crate::{error::ShapeError, math::domain};"), ["error", "math"]);
-    assert_eq!(imports("    let x = crate::world::step(crate::motion::y);"), ["world", "motion"]);
+    assert_eq!(
+        imports("use crate::{error::ShapeError, math::domain};"),
+        ["error", "math"]
+    );
+    assert_eq!(
+        imports("    let x = crate::world::step(crate::motion::y);"),
+        ["world", "motion"]
+    );
     assert!(imports("// see crate::world").is_empty());
 }

@@ -207,7 +207,11 @@ fn default_rays_agree_better_than_the_thesis() {
                 64.. => 99.0,
                 _ => 0.0,
             };
-            let bar = if rays >= 10 { f64::max(floor, thesis) } else { floor };
+            let bar = if rays >= 10 {
+                f64::max(floor, thesis)
+            } else {
+                floor
+            };
             let agreement = median_agreement(&file, Settings::Rays, rays);
             if agreement < bar {
                 short.push(format!("{id}, {rays} rays: {agreement}, below {bar}"));
