@@ -259,11 +259,13 @@ impl Pair<'_> {
             self.caster
                 .shortest_ray(standing, between, motion, touch, &mut self.effort.rays)?;
         // Bodies that touch as the stretch begins and part, or slide along each
-        // other, make no contact. NaN compares false and makes none either.
+        // other, make no contact.
+        /// Sine of the angle to the surface below which a motion slides along it.
+        const SLIDE: f64 = 1e-9;
         let length = motion.length();
         let closing = -motion.dot(found.normal);
         let touching = found.fraction * length <= touch;
-        if touching && !(closing > 1e-9 * length) {
+        if touching && closing <= SLIDE * length {
             return None;
         }
         let centre = pose_a.position + self.a.centre_offset;

@@ -401,8 +401,7 @@ impl Scene<'_> {
                 self.shadow_b.depth(Side::Near, start.truncate()) - start.z
             });
             *rays += 1;
-            // NaN, a miss, fails the comparison.
-            if !(gap < best.gap) {
+            if gap.is_nan() || gap >= best.gap {
                 break;
             }
             best = Shortest {
