@@ -18,6 +18,7 @@ mod scene_file;
 
 use accuracy::{SEEDS, Settings, first_touch, median, run, runs};
 use agreement::agreement;
+use glam::DVec3;
 use scene_file::{Acceleration, SceneFile, SceneFileError};
 use std::path::Path;
 
@@ -45,19 +46,8 @@ fn every_scene_file_makes_a_world() {
     let files = SceneFile::read_all().expect("all files can be read");
     let ids: Vec<&str> = files.iter().map(|file| file.id.as_str()).collect();
     let expected = [
-        "scene-1",
-        "scene-2",
-        "scene-3",
-        "scene-4",
-        "scene-5",
-        "scene-6",
-        "scene-7",
-        "scene-8",
-        "scene-9",
-        "scene-9-as-printed",
-        "scene-10",
-        "scene-11",
-        "rifle",
+        "scene-1", "scene-2", "scene-3", "scene-4", "scene-5", "scene-6", "scene-7", "scene-8",
+        "scene-9", "scene-10", "scene-11", "rifle",
     ];
     assert_eq!(ids, expected);
     for file in &files {
@@ -255,48 +245,67 @@ fn default_rays_tell_a_graze_from_a_miss() {
     assert_none(&wrong);
 }
 
-/// Its points in scene 2, to the six digits it prints, which it computed in `f32`. At 64, 100 and 400 rays two rays
-/// of its grid are equally short.
+/// Its points to the six digits it prints, which it computed in `f32`: all but
+/// those of scene 2 at 64, 100 and 400 rays, and that of scene 4 at 1000.
 #[test]
 fn the_thesis_points_are_reproduced() {
-    let file = scene("scene-2");
-    for rays in [10, 15, 20, 30, 40, 49, 81, 121, 361] {
-        let row = file
-            .row(rays)
-            .and_then(|row| row.found)
-            .expect("there is a row");
-        let touch = first_touch(&file.scene, Settings::Thesis.config(rays, 10)).expect("it runs");
-        let found = touch.expect("there is a contact").point.to_array();
-        for (found, printed) in found.into_iter().zip(row) {
-            assert!(
-                (found - printed).abs() < 2e-6,
-                "{rays} rays: {found}, printed {printed}"
-            );
+    let mut wrong = Vec::new();
+    let mut rows = 0;
+    for (id, others) in [
+        ("scene-2", &[1, 2, 4, 64, 100, 400][..]),
+        ("scene-4", &[1000]),
+        ("scene-6", &[]),
+    ] {
+        let file = scene(id);
+        let table = &file.thesis.table;
+        for row in table.iter().filter(|row| !others.contains(&row.rays)) {
+            let config = Settings::Thesis.config(row.rays, file.thesis.seed());
+            let touch = first_touch(&file.scene, config).expect("it runs");
+            let found = touch.expect("there is a contact").point;
+            let printed = DVec3::from(row.found.expect("there was a contact"));
+            if (found - printed).abs().max_element() > 2e-6 {
+                wrong.push(format!(
+                    "{id}, {} rays: {found}, printed {printed}",
+                    row.rays
+                ));
+            }
+            rows += 1;
         }
     }
+    assert_none(&wrong);
+    assert_eq!(rows, 9 + 7 + 10);
 }
 
-/// Where the thesis's rays start at random, its figures lie between the worst and the
-/// best of our seeds. Twenty seeds do for most rows; its 96.97 in scene 4 with
-/// 1000 rays is a draw that one seed in some 200 falls below.
+/// Its row of 1000 rays comes out with the first 952 to 979 of them.
 #[test]
-fn the_thesis_agreements_are_reproduced_within_chance() {
-    for id in ["scene-4", "scene-6"] {
-        let file = scene(id);
-        for row in &file.thesis.table {
-            let (mut least, mut best) = (f64::INFINITY, f64::NEG_INFINITY);
-            let reproduced = (1..=2000).any(|seed| {
-                let run = run(&file, &file.scene, Settings::Thesis, row.rays, seed);
-                let agreement = run.expect("the scene runs").point.unwrap_or(0.0);
-                (least, best) = (least.min(agreement), best.max(agreement));
-                // Printed with two digits.
-                (least - 0.01..=best + 0.01).contains(&row.point)
-            });
-            let (rays, printed) = (row.rays, row.point);
-            assert!(
-                reproduced,
-                "{id}, {rays} rays: {printed} not in {least}..{best}"
-            );
-        }
+fn a_few_of_the_thesis_rays_seem_to_be_missing() {
+    let file = scene("scene-4");
+    let printed = file
+        .row(1000)
+        .and_then(|row| row.found)
+        .expect("there is a row");
+    let off = |rays| {
+        let config = Settings::Thesis.config(rays, file.thesis.seed());
+        let touch = first_touch(&file.scene, config).expect("it runs");
+        let found = touch.expect("there is a contact").point;
+        (found - DVec3::from(printed)).abs().max_element()
+    };
+    assert!(off(952) < 2e-6 && off(979) < 2e-6);
+    assert!(off(951) > 1e-3 && off(980) > 1e-3);
+}
+
+/// Its program lets a frame's chord stand for the sharp bend of scene 7, and where
+/// frames begin decides how well that does. Its 99.7 is among what comes out.
+#[test]
+fn where_frames_begin_decides_the_thesis_figure_on_a_sharp_bend() {
+    let mut file = scene("scene-7");
+    let mut agreements = Vec::new();
+    for step in 0..40 {
+        file.scene.frame_rate = 22.0 + 0.1 * f64::from(step);
+        let run = run(&file, &file.scene, Settings::Thesis, 2, 10).expect("it runs");
+        agreements.push(run.point.expect("a point is expected"));
     }
+    agreements.sort_by(f64::total_cmp);
+    let (least, best) = (agreements[0], agreements[39]);
+    assert!(least < 99.7 && best >= 99.7, "{least}..{best}");
 }

@@ -140,3 +140,10 @@ pub(crate) fn runs(file: &SceneFile, settings: Settings, rays: u32) -> Result<Ve
 pub(crate) fn median(runs: &[Run]) -> Option<&Run> {
     runs.get(runs.len().saturating_sub(1) / 2)
 }
+
+/// The run that stands for the others: in the thesis's settings the one with its
+/// own seed, else the one in the middle.
+pub(crate) fn representative<'a>(file: &SceneFile, runs: &'a [Run]) -> Option<&'a Run> {
+    let own = |run: &&Run| run.settings == Settings::Thesis && run.seed == file.thesis.seed();
+    runs.iter().find(own).or_else(|| median(runs))
+}

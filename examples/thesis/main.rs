@@ -18,7 +18,7 @@ mod report;
 mod scene_file;
 mod timing;
 
-use accuracy::{Run, SEEDS, Settings, frames, median, run, runs};
+use accuracy::{Run, SEEDS, Settings, frames, representative, run, runs};
 use plots::{BLUE, GREEN, ORANGE, PURPLE, Plot, Series};
 use scene_file::{Acceleration, SceneFile};
 use std::error::Error;
@@ -137,7 +137,7 @@ fn plot_agreements(
         |points: Vec<(f64, f64)>| points.into_iter().filter(|point| point.1 > 0.0).collect();
     let ours = |which: usize| {
         let points = by_rays.iter().filter_map(|(rays, both)| {
-            let agreement = median(both.get(which)?)?.point?;
+            let agreement = representative(file, both.get(which)?)?.point?;
             Some((f64::from(*rays), agreement))
         });
         found(points.collect())

@@ -1,6 +1,6 @@
 //! What people read: tables on standard output.
 
-use crate::accuracy::{Run, median};
+use crate::accuracy::{Run, representative};
 use crate::scene_file::{Acceleration, SceneFile};
 use crate::timing::FrameTimes;
 use feeler::Contact;
@@ -32,7 +32,8 @@ fn found(contact: Option<&Contact>, part: impl Fn(&Contact) -> DVec3) -> String 
     )
 }
 
-/// A scene's agreements, in %, medians over all seeds; `by_rays` holds for every
+/// A scene's agreements, in %: of the thesis's method with its own seed, of the
+/// default rays the median over all seeds; `by_rays` holds for every
 /// number of rays the runs of either settings, the least agreement first.
 pub(crate) fn agreements(file: &SceneFile, by_rays: &[(u32, [Vec<Run>; 2])]) {
     println!(
@@ -51,7 +52,8 @@ pub(crate) fn agreements(file: &SceneFile, by_rays: &[(u32, [Vec<Run>; 2])]) {
         "time/s"
     );
     for (rays, [thesis, default]) in by_rays {
-        let (Some(theirs), Some(ours)) = (median(thesis), median(default)) else {
+        let theirs = representative(file, thesis);
+        let (Some(theirs), Some(ours)) = (theirs, representative(file, default)) else {
             continue;
         };
         let row = file.row(*rays);

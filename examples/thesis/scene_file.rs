@@ -23,6 +23,8 @@ pub(crate) struct Thesis {
     pub point: Option<[f64; 3]>,
     /// The contact's normal.
     pub normal: Option<[f64; 3]>,
+    /// The seed of the thesis's random points; 10 if none is given.
+    pub seed: Option<u64>,
     pub table: Vec<Row>,
     /// Numbers of rays that the thesis does not list.
     pub more_rays: Vec<u32>,
@@ -99,6 +101,13 @@ pub(crate) enum SceneFileError {
     Motion(#[from] MotionError),
     #[error(transparent)]
     Body(#[from] BodyError),
+}
+
+impl Thesis {
+    /// The seed that the thesis's table was made with.
+    pub(crate) fn seed(&self) -> u64 {
+        self.seed.unwrap_or(10)
+    }
 }
 
 impl SceneFile {
