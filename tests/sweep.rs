@@ -5,7 +5,7 @@
     reason = "planted input that is refused shall fail the test"
 )]
 
-use feeler::sweep::{along_line, along_spline, around_static};
+use feeler::sweep::{along_line, along_spline, around_static, swept_aabb};
 use feeler::{Cuboid, Obb, Polytope, Pose, Shape, Sphere, Spline, Triangle};
 use glam::{DQuat, DVec3};
 use rand_chacha::ChaCha8Rng;
@@ -278,4 +278,26 @@ fn a_loop_is_not_boxed_as_if_it_ended_where_it_ends() {
     let obb = along_spline(&spline, DVec3::ZERO, 0.1);
     let along = obb.axes.map(|axis| axis.x.abs());
     assert!(along.iter().any(|&cosine| cosine > 0.99), "{obb:?}");
+}
+
+#[test]
+fn a_frame_stays_inside_and_fits() {
+    let mut random = Random::seeded(6);
+    for _ in 0..20_000 {
+        let from = random.scale(12.0) * random.vector();
+        let to = from + random.scale(12.0) * random.vector();
+        let radius = random.scale(9.0);
+        let aabb = swept_aabb(from, to, radius);
+        for axis in 0..3 {
+            // Exactly: what an outward rounding of the sum encloses, the sum's error tells.
+            for (end, sign) in [(aabb.max[axis], 1.0), (-aabb.min[axis], -1.0)] {
+                let tip = (sign * from[axis]).max(sign * to[axis]);
+                let sum = tip + radius;
+                let part = sum - tip;
+                let error = (tip - (sum - part)) + (radius - part);
+                assert!(end > sum || (end >= sum && error <= 0.0));
+                assert!(end <= sum.next_up());
+            }
+        }
+    }
 }

@@ -1,7 +1,7 @@
 //! Random numbers that never change.
 
+use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::{Rng, SeedableRng};
 
 /// An endless stream of numbers, uniform in `[0, 1)`.
 pub(crate) struct UnitStream(ChaCha8Rng);

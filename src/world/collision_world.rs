@@ -1,6 +1,6 @@
 //! The world as its users see it.
 
-use crate::broad_phase::{PairList, Volume};
+use crate::broad_phase::{FramePairs, PairList, Volume};
 use crate::error::{BodyError, ConfigError};
 use crate::geometry::{Pose, Shape};
 use crate::motion::{FrameMotion, Motion};
@@ -38,6 +38,8 @@ pub struct CollisionWorld {
     pub(super) time: f64,
     pub(super) caster: RayCaster,
     pub(super) pairs: PairList,
+    /// The pairs with bodies in free flight, of the frame at hand.
+    pub(super) frame_pairs: FramePairs,
     /// Where each slot's body can be, over its whole motion.
     pub(super) volumes: Vec<Option<Volume>>,
     /// Slots whose pairs are to be listed anew.
@@ -76,6 +78,7 @@ impl CollisionWorld {
             time: 0.0,
             caster: RayCaster::new(rays),
             pairs: PairList::new(config.broad_phase),
+            frame_pairs: FramePairs::default(),
             volumes: Vec::new(),
             changed: Vec::new(),
             contacts: Vec::new(),
