@@ -5,6 +5,7 @@ use crate::error::{BodyError, ConfigError};
 use crate::geometry::{Pose, Shape};
 use crate::motion::{FrameMotion, Motion};
 use crate::narrow_phase::rays::RayCaster;
+use crate::world::envelope::Envelope;
 use crate::world::slots::{Resident, Slots};
 use crate::world::{Body, BodyId, Contact, Method, StepStats, WorldConfig};
 use glam::DVec3;
@@ -49,6 +50,8 @@ pub struct CollisionWorld {
     pub(super) touching: Vec<(u32, u32)>,
     /// Those of them that still touched as the frame at hand began.
     pub(super) resting: Vec<(u32, u32)>,
+    /// Each slot's body as the early-outs see it, in the frame at hand.
+    pub(super) envelopes: Vec<Envelope>,
     /// Pairs that passed the early-outs of the frame at hand.
     pub(super) survivors: Vec<(u32, u32)>,
     pub(super) stats: StepStats,
@@ -84,6 +87,7 @@ impl CollisionWorld {
             contacts: Vec::new(),
             touching: Vec::new(),
             resting: Vec::new(),
+            envelopes: Vec::new(),
             survivors: Vec::new(),
             stats: StepStats::default(),
         }

@@ -6,6 +6,7 @@ mod config;
 mod contact;
 #[cfg(feature = "serde")]
 mod data;
+mod envelope;
 mod id;
 mod pair;
 mod slots;

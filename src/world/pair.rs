@@ -92,14 +92,6 @@ pub(crate) struct PairEffort {
     pub(crate) rays: u64,
 }
 
-/// Whether an early-out test shows that the pair cannot touch in the frame.
-pub(crate) fn reject(a: &Resident, b: &Resident) -> Option<early_out::Rejection> {
-    let between = b.frame.start - a.frame.start + (b.centre_offset - a.centre_offset);
-    let motion = a.frame.displacement - b.frame.displacement;
-    let reach = a.reach + b.reach + a.frame.deviation + b.frame.deviation;
-    early_out::reject(between, motion, reach)
-}
-
 /// First contact of a pair in the frame.
 pub(crate) fn examine(
     caster: &mut RayCaster,
@@ -327,9 +319,6 @@ pub fn first_contact(
         Ok(resident)
     };
     let (a, b) = (resident(a)?, resident(b)?);
-    if reject(&a, &b).is_some() {
-        return Ok(None);
-    }
     let mut effort = PairEffort::default();
     let finding = examine(&mut caster, &Mover::new(&a), &Mover::new(&b), &mut effort);
     Ok(finding.map(|finding| finding.contact))

@@ -9,6 +9,7 @@ use crate::error::StepError;
 use crate::math::domain;
 use crate::motion::FrameMotion;
 use crate::tolerance::{MAX_COORDINATE, MAX_TIME_STEP, MIN_TIME_STEP};
+use crate::world::envelope::Envelope;
 use crate::world::pair::{self, Mover, PairEffort};
 use crate::world::slots::Resident;
 use crate::world::stats::Laps;
@@ -148,8 +149,14 @@ impl CollisionWorld {
     /// What every body does in the frame.
     fn move_bodies(&mut self, dt: f64) {
         let time = self.time;
-        for resident in self.slots.iter_mut() {
+        self.envelopes.clear();
+        self.envelopes
+            .resize(self.slots.capacity(), Envelope::default());
+        for (slot, resident) in self.slots.iter_mut() {
             resident.frame = FrameMotion::new(resident.body.motion(), time - resident.since, dt);
+            if let Some(envelope) = self.envelopes.get_mut(slot as usize) {
+                *envelope = Envelope::of(resident);
+            }
         }
     }
 
@@ -179,11 +186,15 @@ impl CollisionWorld {
         self.survivors.clear();
         let listed = self.pairs.dynamic().iter().chain(self.pairs.fixed());
         for &(first, second) in listed.chain(self.frame_pairs.pairs()) {
-            let (Some(a), Some(b)) = (self.slots.at(first), self.slots.at(second)) else {
+            let envelopes = &self.envelopes;
+            let (Some(a), Some(b)) = (
+                envelopes.get(first as usize),
+                envelopes.get(second as usize),
+            ) else {
                 debug_assert!(false, "a pair of a body that is gone");
                 continue;
             };
-            match pair::reject(a, b) {
+            match a.reject(b) {
                 Some(rejection) => stats.rejected.count(rejection),
                 None => self.survivors.push((first, second)),
             }
