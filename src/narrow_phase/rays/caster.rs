@@ -182,7 +182,10 @@ impl RayCaster {
             return None;
         }
         // Where a vertex is as near, it is the vertex that touches.
-        let limit = best.map_or(scene.longest, |best| best.gap - PREFERENCE * scene.size());
+        let limit = best.map_or(scene.longest, |best| match best.origin {
+            Origin::Vertex(_) => best.gap - PREFERENCE * scene.size(),
+            Origin::Area | Origin::Edge { .. } => best.gap - scene.rounding(),
+        });
         let [outline_a, outline_b] = &scene.outlines;
         let directions = [a.pose, b.pose].map(|pose| pose.local_direction(scene.view.z));
         self.crossings.shortest(
