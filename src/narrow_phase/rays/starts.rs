@@ -72,8 +72,15 @@ impl Starts {
         body.depths(Side::Far, &self.xs, &self.ys, &mut self.zs);
     }
 
-    /// The points over the aim where one body, a ball, touches a face of the other first.
+    /// The points over the aim where one body, a ball, touches a face of the other
+    /// first; or the other itself, if it is a ball as well.
     pub(super) fn push_faces(&mut self, a: &Shadow<'_>, b: &Shadow<'_>, aim: &Aim) {
+        if let (Some((from, radius_a)), Some((to, radius_b))) = (a.ball(), b.ball()) {
+            // On the line between the centres, in whatever direction it leads.
+            let at = from.lerp(to, radius_a / (radius_a + radius_b));
+            self.push_surface(at.extend(a.depth(Side::Far, at)));
+            return;
+        }
         let (ball, faces, side) = if a.disc().is_some() {
             (a, b, Side::Near)
         } else {
