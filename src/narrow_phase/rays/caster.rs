@@ -193,6 +193,7 @@ impl RayCaster {
             directions,
             &scene.aim,
             (scene.touch, limit),
+            |start, end| scene.is_in_front(false, start) && scene.is_in_front(true, end),
             rays,
         )
     }
@@ -263,6 +264,12 @@ impl RayCaster {
                         origin,
                         behind,
                     };
+                    if best.is_some_and(|best| best.gap < gap - PREFERENCE * scene.size())
+                        && !matches!(origin, Origin::Edge { .. })
+                        || !scene.is_in_front(behind, found.at.extend(starts.zs[index]))
+                    {
+                        continue;
+                    }
                     scene.keep_shorter(&mut best, found);
                     if matches!(origin, Origin::Edge { .. }) {
                         scene.keep_shorter(&mut best_edge, found);
@@ -399,6 +406,22 @@ impl Scene<'_> {
     /// A gap that a ray can have, or NaN.
     fn valid(&self, gap: f64) -> f64 {
         if gap >= -self.touch { gap } else { f64::NAN }
+    }
+
+    /// Whether a vertex or a point of an edge, of the second body if `behind`, lies
+    /// on the side of its body that the other comes from.
+    ///
+    /// Rays from the side turned away are longer and do no harm, except where the
+    /// two bodies pass each other in touch: then nothing is in these rays' way.
+    fn is_in_front(&self, behind: bool, point: DVec3) -> bool {
+        let tolerance = PREFERENCE * self.size();
+        // NaN, beside the body by rounding, fails the comparison.
+        let hidden = if behind {
+            point.z - self.shadow_b.depth(Side::Near, point.truncate()) > tolerance
+        } else {
+            self.shadow_a.depth(Side::Far, point.truncate()) - point.z > tolerance
+        };
+        !hidden
     }
 
     fn keep_shorter(&self, best: &mut Option<Shortest>, found: Shortest) {

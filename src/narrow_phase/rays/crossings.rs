@@ -46,7 +46,7 @@ pub(super) struct Crossings {
 
 impl Crossings {
     /// The shortest ray between edges that is shorter than `limit` and no
-    /// shorter than `-touch`. `directions` are the motion's in each shape's own
+    /// shorter than `-touch`, and whose ends `counts`. `directions` are the motion's in each shape's own
     /// frame. Adds the rays cast to `rays`.
     pub(super) fn shortest(
         &mut self,
@@ -54,6 +54,7 @@ impl Crossings {
         directions: [DVec3; 2],
         aim: &Aim,
         (touch, limit): (f64, f64),
+        counts: impl Fn(DVec3, DVec3) -> bool,
         rays: &mut u64,
     ) -> Option<Crossing> {
         for (seen, (outline, _)) in self.seen.iter_mut().zip(outlines) {
@@ -67,7 +68,7 @@ impl Crossings {
             }
         }
         let [ahead, behind] = &self.seen;
-        let mut best = None::<(f64, f64, Seen, Seen)>;
+        let mut best = None::<Crossing>;
         let mut limit = limit;
         for a in ahead {
             for b in behind {
@@ -76,24 +77,24 @@ impl Crossings {
                 if apart || b.min.z - a.max.z >= limit {
                     continue;
                 }
-                let Some((at, gap)) = cross(a, b) else {
+                let Some((start, end)) = cross(a, b) else {
                     continue;
                 };
                 *rays += 1;
-                if gap >= -touch && gap < limit {
+                let gap = end.z - start.z;
+                if gap >= -touch && gap < limit && counts(start, end) {
                     limit = gap;
-                    best = Some((at, gap, *a, *b));
+                    let normal = a.along.cross(b.along).normalize_or_zero();
+                    best = Some(Crossing {
+                        end,
+                        gap,
+                        edges: [a.edge, b.edge],
+                        normal: if normal.z > 0.0 { -normal } else { normal },
+                    });
                 }
             }
         }
-        let (at, gap, a, b) = best?;
-        let normal = a.along.cross(b.along).try_normalize()?;
-        Some(Crossing {
-            end: b.from + at * b.along,
-            gap,
-            edges: [a.edge, b.edge],
-            normal: if normal.z > 0.0 { -normal } else { normal },
-        })
+        best
     }
 }
 
@@ -126,17 +127,16 @@ fn keep_silhouette(seen: &mut Vec<Seen>, shape: &Shape, direction: DVec3) {
     }
 }
 
-/// The share of `b` at which the two cross, and the gap there.
-fn cross(a: &Seen, b: &Seen) -> Option<(f64, f64)> {
+/// The points of the two edges that lie over each other.
+fn cross(a: &Seen, b: &Seen) -> Option<(DVec3, DVec3)> {
     let (u, v): (DVec2, DVec2) = (a.along.truncate(), b.along.truncate());
     let determinant = u.perp_dot(v);
     let sines = determinant * determinant;
     // Written so that a NaN, or an edge along the motion, crosses nothing.
     let crosses = sines > PARALLEL * PARALLEL * u.length_squared() * v.length_squared();
-    let between = b.from - a.from;
-    let w = between.truncate();
+    let w = (b.from - a.from).truncate();
     let (on_a, on_b) = (w.perp_dot(v) / determinant, w.perp_dot(u) / determinant);
     let within = |share: f64| (0.0..=1.0).contains(&share);
     (crosses && within(on_a) && within(on_b))
-        .then(|| (on_b, between.z + on_b * b.along.z - on_a * a.along.z))
+        .then(|| (a.from + on_a * a.along, b.from + on_b * b.along))
 }
