@@ -36,7 +36,12 @@ impl FrameMotion {
         };
         if let Kind::Along { path, speed } = motion.kind() {
             let left = (path.length() - speed * elapsed).max(0.0);
-            frame.rests_from = left / (speed * duration);
+            // A frame too short for the clock to move on lasts 0 s.
+            frame.rests_from = if left > 0.0 {
+                left / (speed * duration)
+            } else {
+                0.0
+            };
             frame.curved = !path.is_straight() && left > 0.0;
         }
         frame.displacement = frame.displacement_between(motion, 0.0, 1.0);

@@ -5,6 +5,7 @@ use crate::error::{BodyError, ConfigError};
 use crate::geometry::{Pose, Shape};
 use crate::motion::{FrameMotion, Motion};
 use crate::narrow_phase::rays::RayCaster;
+use crate::tolerance::touch_tolerance;
 use crate::world::envelope::Envelope;
 use crate::world::slots::{Resident, Slots};
 use crate::world::{Body, BodyId, Contact, Method, StepStats, WorldConfig};
@@ -48,7 +49,9 @@ pub struct CollisionWorld {
     pub(super) contacts: Vec<Contact>,
     /// Pairs that were reported as touching and have not parted since, by slot, sorted.
     pub(super) touching: Vec<(u32, u32)>,
-    /// Those of them that still touched as the frame at hand began.
+    /// Pairs with a contact in the last step, by slot, the lower first, sorted.
+    pub(super) met: Vec<(u32, u32)>,
+    /// Those of `touching` that still touched as the frame at hand began.
     pub(super) resting: Vec<(u32, u32)>,
     /// Each slot's body as the early-outs see it, in the frame at hand.
     pub(super) envelopes: Vec<Envelope>,
@@ -86,6 +89,7 @@ impl CollisionWorld {
             changed: Vec::new(),
             contacts: Vec::new(),
             touching: Vec::new(),
+            met: Vec::new(),
             resting: Vec::new(),
             envelopes: Vec::new(),
             survivors: Vec::new(),
@@ -134,6 +138,10 @@ impl CollisionWorld {
             .ok_or(BodyError::UnknownBody { id })?;
         // In free flight a body's whole path is unknown before and after.
         let keeps_pairs = resident.body.motion.is_free() && motion.is_free();
+        let from = resident.body.motion.position_after(time - resident.since);
+        let to = motion.position_after(0.0);
+        let rounding = touch_tolerance(resident.reach, to.abs().max_element());
+        resident.placed |= from.distance(to) > rounding;
         resident.body.motion = motion;
         resident.since = time;
         if !keeps_pairs {
@@ -260,6 +268,7 @@ impl Resident {
             since,
             centre_offset: body.orientation * body.shape.centre(),
             reach: body.shape.max_dist(),
+            placed: true,
             points: caster.surface_points(&body.shape),
             frame: FrameMotion::new(&body.motion, 0.0, 1.0),
             body,

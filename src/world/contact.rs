@@ -34,9 +34,11 @@ pub struct Contact {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum ContactKind {
-    /// The bodies touch first at the contact's time.
+    /// The bodies touch first at the contact's time; or they were apart a frame
+    /// ago, touched unseen by rounding or for want of rays, and overlap now.
     Touch,
-    /// The bodies overlapped already as the frame began; the contact's normal
+    /// The bodies overlapped already as the frame began, because they were put
+    /// there or because they did not stop when they touched; the contact's normal
     /// is the direction of least separation.
     Overlap {
         /// How far `a` would have to be shifted along the normal to part them, in metres.

@@ -104,6 +104,7 @@ pub(crate) fn examine(
         b,
         caster,
         effort,
+        halvings: 0,
     };
     if pair.caster.config().overlaps == Overlaps::Report
         && let Some(contact) = pair.overlap_at(0.0)
@@ -130,6 +131,8 @@ struct Pair<'a> {
     b: &'a Mover<'a>,
     caster: &'a mut RayCaster,
     effort: &'a mut PairEffort,
+    /// How often a stretch of this frame has been halved.
+    halvings: u32,
 }
 
 impl Pair<'_> {
@@ -193,10 +196,11 @@ impl Pair<'_> {
             return None;
         }
         if let Chords::Within(share) = self.caster.config().chords
-            && deviation > share * self.reach()
+            && deviation > share * self.leniency() * self.reach()
         {
             let middle = 0.5 * (from + to);
             if from < middle && middle < to {
+                self.halvings += 1;
                 return self
                     .examine_stretch(from, middle)
                     .or_else(|| self.examine_stretch(middle, to));
@@ -217,6 +221,19 @@ impl Pair<'_> {
             );
         }
         self.cast(from, to, between, motions)
+    }
+
+    /// By how much more than asked chords may stray: 1, unless there are very many.
+    ///
+    /// Two bodies that keep close to each other along many kilometres in one
+    /// frame would need more chords than anyone has the time for.
+    fn leniency(&self) -> f64 {
+        /// So many halvings are free: a kilometre of a bend of 50 m radius, for a pair 2 m in size.
+        const FREE: u32 = 1 << 16;
+        /// So many more double what is allowed. Chords twice as long are half as
+        /// many, so that the doubling soon ends it.
+        const DOUBLING: u32 = 1 << 12;
+        f64::from(self.halvings.saturating_sub(FREE) / DOUBLING).exp2()
     }
 
     /// The shortest ray along the chords of one stretch.

@@ -14,6 +14,8 @@ pub(crate) struct Resident {
     pub(crate) centre_offset: DVec3,
     /// Radius of its bounding sphere.
     pub(crate) reach: f64,
+    /// Whether it was put where it is since the last step, and did not get there by its motion.
+    pub(crate) placed: bool,
     /// Starting points of rays that do not depend on the motion, in its own frame.
     pub(crate) points: Vec<DVec3>,
     /// What it does in the frame at hand.

@@ -13,7 +13,7 @@ use crate::world::envelope::Envelope;
 use crate::world::pair::{self, Mover, PairEffort};
 use crate::world::slots::Resident;
 use crate::world::stats::Laps;
-use crate::world::{CollisionWorld, Contact, StepStats, volume};
+use crate::world::{CollisionWorld, Contact, ContactKind, StepStats, volume};
 
 /// How far [`CollisionWorld::step_to_contact`] came.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -148,12 +148,15 @@ impl CollisionWorld {
 
     /// What every body does in the frame.
     fn move_bodies(&mut self, dt: f64) {
-        let time = self.time;
         self.envelopes.clear();
         self.envelopes
             .resize(self.slots.capacity(), Envelope::default());
         for (slot, resident) in self.slots.iter_mut() {
-            resident.frame = FrameMotion::new(resident.body.motion(), time - resident.since, dt);
+            let elapsed = self.time - resident.since;
+            // By the clock, which moves on by `dt` to rounding only: the next
+            // frame shall begin where this one ends.
+            let duration = (self.time + dt - resident.since) - elapsed;
+            resident.frame = FrameMotion::new(resident.body.motion(), elapsed, duration);
             if let Some(envelope) = self.envelopes.get_mut(slot as usize) {
                 *envelope = Envelope::of(resident);
             }
@@ -211,6 +214,7 @@ impl CollisionWorld {
             let (Some(a), Some(b)) = (self.slots.at(first), self.slots.at(second)) else {
                 continue;
             };
+            let placed = a.placed || b.placed;
             let (a, b) = (Mover::new(a), Mover::new(b));
             let Some(finding) = pair::examine(&mut self.caster, &a, &b, &mut effort) else {
                 continue;
@@ -220,7 +224,13 @@ impl CollisionWorld {
                 self.resting.push((first, second));
                 continue;
             }
-            let found = finding.contact;
+            let mut found = finding.contact;
+            // Apart a frame ago, and moved into each other since: that they met
+            // was overlooked by rounding, or by too few rays, and is told now.
+            let ordered = (first.min(second), first.max(second));
+            if !placed && self.met.binary_search(&ordered).is_err() {
+                found.kind = ContactKind::Touch;
+            }
             self.contacts.push(Contact {
                 a: self.slots.id(first),
                 b: self.slots.id(second),
@@ -239,6 +249,17 @@ impl CollisionWorld {
     /// Lets time pass, and remembers which pairs touch from now on.
     fn advance(&mut self, elapsed: f64) {
         self.time += elapsed;
+        for (_, resident) in self.slots.iter_mut() {
+            resident.placed = false;
+        }
+        let contacts = self.contacts.iter().map(|c| (c.a.slot, c.b.slot));
+        self.met.clear();
+        self.met.extend(
+            contacts
+                .chain(self.resting.iter().copied())
+                .map(|(a, b)| (a.min(b), a.max(b))),
+        );
+        self.met.sort_unstable();
         self.touching.clear();
         self.touching.append(&mut self.resting);
         let touches = self.contacts.iter().filter(|contact| contact.is_touch());

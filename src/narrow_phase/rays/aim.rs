@@ -17,7 +17,12 @@ pub(super) enum Aim {
         max: f64,
     },
     /// Any two shapes: where the rectangles around their shadows overlap.
-    Rectangle { min: DVec2, max: DVec2 },
+    Rectangle {
+        min: DVec2,
+        max: DVec2,
+        /// What is this far outside may be on the border.
+        slack: f64,
+    },
 }
 
 impl Aim {
@@ -42,6 +47,7 @@ impl Aim {
         min.cmple(max + slack).all().then_some(Self::Rectangle {
             min: min.min(max),
             max,
+            slack,
         })
     }
 
@@ -59,7 +65,7 @@ impl Aim {
                 let y = at.y * f64::min(height(radii[0], x), height(radii[1], x - centre_b)).sqrt();
                 DVec2::new(x, y)
             }
-            Self::Rectangle { min, max } => 0.5 * (*min + *max) + 0.5 * (*max - *min) * at,
+            Self::Rectangle { min, max, .. } => 0.5 * (*min + *max) + 0.5 * (*max - *min) * at,
         }
     }
 
@@ -80,7 +86,7 @@ impl Aim {
                     at.y * f64::min(height(radii[0], x), height(radii[1], x - centre_b)).sqrt()
                 }));
             }
-            Self::Rectangle { min, max } => {
+            Self::Rectangle { min, max, .. } => {
                 let (middle, half) = (0.5 * (min + max), 0.5 * (max - min));
                 xs.extend(lattice.iter().map(|at| middle.x + half.x * at.x));
                 ys.extend(lattice.iter().map(|at| middle.y + half.y * at.y));
@@ -93,17 +99,20 @@ impl Aim {
         let middle = self.point(DVec2::ZERO);
         let x = match self {
             Self::Lens { min, max, .. } => share(point.x - middle.x, 0.5 * (max - min)),
-            Self::Rectangle { min, max } => share(point.x - middle.x, 0.5 * (max.x - min.x)),
+            Self::Rectangle { min, max, .. } => share(point.x - middle.x, 0.5 * (max.x - min.x)),
         };
         let height = self.point(DVec2::new(x, 1.0)).y - middle.y;
         DVec2::new(x, share(point.y - middle.y, height))
     }
 
     /// The part of the segment that lies over the aim, as shares of the segment.
+    ///
+    /// The vertex that is the farthest to one side lies on the border, and
+    /// rounding must not put it outside.
     pub(super) fn clip(&self, from: DVec2, to: DVec2) -> Option<(f64, f64)> {
         let (min, max) = match self {
             Self::Lens { .. } => return Some((0.0, 1.0)),
-            Self::Rectangle { min, max } => (*min, *max),
+            Self::Rectangle { min, max, slack } => (*min - *slack, *max + *slack),
         };
         let (mut enter, mut leave) = (0.0_f64, 1.0_f64);
         for axis in 0..2 {

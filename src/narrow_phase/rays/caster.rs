@@ -2,6 +2,7 @@
 
 use crate::geometry::{Feature, Mesh, Pose, Shape};
 use crate::narrow_phase::rays::aim::Aim;
+use crate::narrow_phase::rays::crossings::{Crossing, Crossings};
 use crate::narrow_phase::rays::refine::{search_area, search_edge};
 use crate::narrow_phase::rays::shadow::{Shadow, Side, View};
 use crate::narrow_phase::rays::starts::{Origin, Outline, Starts, gaps_ahead, gaps_behind};
@@ -47,6 +48,7 @@ pub(crate) struct RayCaster {
     ahead: Starts,
     behind: Starts,
     gaps: Vec<f64>,
+    crossings: Crossings,
 }
 
 /// A ray found to be the shortest so far.
@@ -88,6 +90,7 @@ impl RayCaster {
             ahead: Starts::default(),
             behind: Starts::default(),
             gaps: Vec::new(),
+            crossings: Crossings::default(),
         }
     }
 
@@ -159,8 +162,39 @@ impl RayCaster {
         self.place(&scene, (a, b));
         *rays += (self.ahead.len() + self.behind.len()) as u64;
         let best = self.cast_all(&scene);
-        let best = self.refine(&scene, best, rays)?;
-        scene.touch(best)
+        let best = self.refine(&scene, best, rays);
+        if let Some(crossing) = self.cross(&scene, (a, b), best, rays) {
+            return scene.touch_of_edges(&crossing);
+        }
+        scene.touch(best?)
+    }
+
+    /// The shortest ray between two edges, if it is shorter than all others.
+    fn cross(
+        &mut self,
+        scene: &Scene<'_>,
+        (a, b): (Standing<'_>, Standing<'_>),
+        best: Option<Shortest>,
+        rays: &mut u64,
+    ) -> Option<Crossing> {
+        if self.config.placement != Placement::Aimed {
+            return None;
+        }
+        // Where a vertex is as near, it is the vertex that touches.
+        let limit = best.map_or(scene.longest, |best| match best.origin {
+            Origin::Vertex(_) => best.gap - PREFERENCE * scene.size(),
+            Origin::Area | Origin::Edge { .. } => best.gap - scene.rounding(),
+        });
+        let [outline_a, outline_b] = &scene.outlines;
+        let directions = [a.pose, b.pose].map(|pose| pose.local_direction(scene.view.z));
+        self.crossings.shortest(
+            [(outline_a, a.shape), (outline_b, b.shape)],
+            directions,
+            &scene.aim,
+            (scene.touch, limit),
+            |start, end| scene.is_in_front(false, start) && scene.is_in_front(true, end),
+            rays,
+        )
     }
 
     /// Fills in where the first rays start.
@@ -174,11 +208,19 @@ impl RayCaster {
                 self.ahead
                     .push_aimed(&self.lattice, &scene.aim, &scene.shadow_a);
                 let each = (self.config.rays / 32).clamp(1, 8);
+                self.ahead
+                    .push_faces(&scene.shadow_a, &scene.shadow_b, &scene.aim);
                 self.ahead.push_vertices(outline_a, Some(&scene.aim));
-                self.ahead.push_edges(outline_a, &scene.aim, each);
+                match scene.shadow_b.ball() {
+                    Some(ball) => self.ahead.push_tangents(outline_a, &scene.aim, ball, 1.0),
+                    None => self.ahead.push_edges(outline_a, &scene.aim, each),
+                }
                 if both {
                     self.behind.push_vertices(outline_b, Some(&scene.aim));
-                    self.behind.push_edges(outline_b, &scene.aim, each);
+                    match scene.shadow_a.ball() {
+                        Some(ball) => self.behind.push_tangents(outline_b, &scene.aim, ball, -1.0),
+                        None => self.behind.push_edges(outline_b, &scene.aim, each),
+                    }
                 }
             }
             Placement::Thesis | Placement::Even => {
@@ -221,6 +263,12 @@ impl RayCaster {
                         origin,
                         behind,
                     };
+                    if best.is_some_and(|best| best.gap < gap - PREFERENCE * scene.size())
+                        && !matches!(origin, Origin::Edge { .. })
+                        || !scene.is_in_front(behind, found.at.extend(starts.zs[index]))
+                    {
+                        continue;
+                    }
                     scene.keep_shorter(&mut best, found);
                     if matches!(origin, Origin::Edge { .. }) {
                         scene.keep_shorter(&mut best_edge, found);
@@ -247,7 +295,9 @@ impl RayCaster {
             Placement::Aimed => self.config.rays - first,
             Placement::Thesis | Placement::Even => self.config.rays,
         };
-        if let Some(edge) = best_edge {
+        if let Some(edge) = best_edge
+            && edge.origin.is_open()
+        {
             let share = budget / 2;
             budget -= share;
             if let Some(found) = refine_edge(scene, edge, share, rays) {
@@ -357,6 +407,22 @@ impl Scene<'_> {
         if gap >= -self.touch { gap } else { f64::NAN }
     }
 
+    /// Whether a vertex or a point of an edge, of the second body if `behind`, lies
+    /// on the side of its body that the other comes from.
+    ///
+    /// Rays from the side turned away are longer and do no harm, except where the
+    /// two bodies pass each other in touch: then nothing is in these rays' way.
+    fn is_in_front(&self, behind: bool, point: DVec3) -> bool {
+        let tolerance = PREFERENCE * self.size();
+        // NaN, beside the body by rounding, fails the comparison.
+        let hidden = if behind {
+            point.z - self.shadow_b.depth(Side::Near, point.truncate()) > tolerance
+        } else {
+            self.shadow_a.depth(Side::Far, point.truncate()) - point.z > tolerance
+        };
+        !hidden
+    }
+
     fn keep_shorter(&self, best: &mut Option<Shortest>, found: Shortest) {
         let margin = |best: &Shortest| match (best.behind, found.behind) {
             (false, true) => -PREFERENCE * self.size(),
@@ -443,6 +509,17 @@ impl Scene<'_> {
         } else {
             None
         }
+    }
+
+    /// What the shortest ray tells if it runs from edge to edge.
+    fn touch_of_edges(&self, crossing: &Crossing) -> Option<RayTouch> {
+        let fraction = crossing.gap.max(0.0) / self.longest;
+        (fraction <= 1.0).then(|| RayTouch {
+            fraction,
+            offset: self.view.vector(crossing.end),
+            normal: self.view.vector(crossing.normal),
+            features: crossing.edges.map(Feature::Edge),
+        })
     }
 
     /// Depths of the ray's two ends.

@@ -6,6 +6,7 @@
 mod aim;
 mod caster;
 mod config;
+mod crossings;
 mod refine;
 mod shadow;
 mod starts;

@@ -149,6 +149,33 @@ impl<'a> Shadow<'a> {
         }
     }
 
+    /// Centre and radius, if the shadow is a disc.
+    pub(super) fn ball(&self) -> Option<(DVec2, f64)> {
+        Some((self.centre.truncate(), self.disc()?))
+    }
+
+    /// The unit normals, without their components along the motion, of all faces on one side.
+    pub(super) fn for_each_normal(&self, side: Side, mut each: impl FnMut(DVec2)) {
+        match &self.surface {
+            Surface::Ball { .. } => {}
+            Surface::Facets(facets) => {
+                let (facets, sign) = match side {
+                    Side::Near => (&facets.near, 1.0),
+                    Side::Far => (&facets.far, -1.0),
+                };
+                for facet in facets {
+                    each(sign * facet.steepness * facet.slope);
+                }
+            }
+            Surface::Flat([a, b, c]) => {
+                if let Some(normal) = (b - a).cross(c - a).try_normalize() {
+                    let turned = (normal.z > 0.0) == (side == Side::Near);
+                    each(if turned { -normal } else { normal }.truncate());
+                }
+            }
+        }
+    }
+
     /// Distance outside the body that still grazes it, in metres.
     pub(super) fn slack(&self) -> f64 {
         self.slack

@@ -72,6 +72,32 @@ impl Starts {
         body.depths(Side::Far, &self.xs, &self.ys, &mut self.zs);
     }
 
+    /// The points over the aim where one body, a ball, touches a face of the other
+    /// first; or the other itself, if it is a ball as well.
+    pub(super) fn push_faces(&mut self, a: &Shadow<'_>, b: &Shadow<'_>, aim: &Aim) {
+        if let (Some((from, radius_a)), Some((to, radius_b))) = (a.ball(), b.ball()) {
+            // On the line between the centres, in whatever direction it leads.
+            let at = from.lerp(to, radius_a / (radius_a + radius_b));
+            self.push_surface(at.extend(a.depth(Side::Far, at)));
+            return;
+        }
+        let (ball, faces, side) = if a.disc().is_some() {
+            (a, b, Side::Near)
+        } else {
+            (b, a, Side::Far)
+        };
+        let Some(radius) = ball.disc() else {
+            return;
+        };
+        faces.for_each_normal(side, |normal| {
+            // Out of the faces' body, into the ball.
+            let at = ball.centre.truncate() - radius * normal;
+            if aim.clip(at, at).is_some() {
+                self.push_surface(at.extend(a.depth(Side::Far, at)));
+            }
+        });
+    }
+
     /// All vertices of a body; with an aim, those over it.
     pub(super) fn push_vertices(&mut self, body: &Outline<'_>, aim: Option<&Aim>) {
         for (index, &vertex) in body.vertices.iter().enumerate() {
@@ -81,10 +107,46 @@ impl Starts {
         }
     }
 
+    /// On every edge that lies over the aim, the point that touches a ball first.
+    ///
+    /// The ball is the other body, `centre` its place. `side` is 1 for rays along
+    /// the motion, −1 for those against it.
+    pub(super) fn push_tangents(
+        &mut self,
+        body: &Outline<'_>,
+        aim: &Aim,
+        (centre, radius): (DVec2, f64),
+        side: f64,
+    ) {
+        for edge in 0..body.edges() {
+            let Some((from, to)) = body.edge(edge) else {
+                continue;
+            };
+            let Some((enter, leave)) = aim.clip(from.truncate(), to.truncate()) else {
+                continue;
+            };
+            // From the foot of the centre's perpendicular, at a share x of the
+            // edge, the gap is −√(R² − x²L²) − xz, and least where
+            // xL² = z√(R² − x²L²).
+            let (along, rise) = ((to - from).truncate(), side * (to - from).z);
+            let length_squared = along.length_squared();
+            if !(length_squared > 0.0) {
+                continue;
+            }
+            let foot = (centre - from.truncate()).dot(along) / length_squared;
+            let aside = (from.truncate() + foot * along - centre).length();
+            let half = f64::max((radius - aside) * (radius + aside), 0.0).sqrt();
+            let length = (length_squared * (length_squared + rise * rise)).sqrt();
+            let at = (foot + rise * half / length).clamp(enter, leave);
+            let between = (at, at);
+            self.push(from.lerp(to, at), Origin::Edge { edge, at, between });
+        }
+    }
+
     /// `each` points on every edge that lies over the aim, spread evenly.
     pub(super) fn push_edges(&mut self, body: &Outline<'_>, aim: &Aim, each: u32) {
-        for edge in 0..body.mesh.as_ref().map_or(0, |mesh| mesh.edges.len()) {
-            let Some((from, to)) = body.edge(edge as u32) else {
+        for edge in 0..body.edges() {
+            let Some((from, to)) = body.edge(edge) else {
                 continue;
             };
             let Some((enter, leave)) = aim.clip(from.truncate(), to.truncate()) else {
@@ -94,7 +156,7 @@ impl Starts {
             for index in 1..=each {
                 let at = enter + f64::from(index) * step;
                 let origin = Origin::Edge {
-                    edge: edge as u32,
+                    edge,
                     at,
                     between: ((at - step).max(enter), (at + step).min(leave)),
                 };
@@ -121,6 +183,12 @@ impl<'a> Outline<'a> {
         Self { mesh, vertices }
     }
 
+    /// How many edges there are.
+    pub(super) fn edges(&self) -> u32 {
+        // Vertices, and with them edges, are numbered by u32.
+        self.mesh.as_ref().map_or(0, |mesh| mesh.edges.len() as u32)
+    }
+
     /// The two ends of an edge.
     pub(super) fn edge(&self, edge: u32) -> Option<(DVec3, DVec3)> {
         let [from, to] = self.mesh.as_ref()?.edges.get(edge as usize)?.vertices;
@@ -132,6 +200,11 @@ impl<'a> Outline<'a> {
 }
 
 impl Origin {
+    /// Whether it is a point of an edge whose neighbours may be nearer.
+    pub(super) fn is_open(self) -> bool {
+        matches!(self, Self::Edge { between, .. } if between.0 < between.1)
+    }
+
     /// The feature of a body that a point of this origin belongs to; `surface`
     /// for points that are neither on a vertex nor on an edge.
     pub(super) fn feature(self, surface: Feature) -> Feature {

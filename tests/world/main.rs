@@ -1,0 +1,16 @@
+//! The world against its enemies: every door, every convention, every scale.
+
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "planted input that is refused shall fail the test"
+)]
+
+mod broad;
+mod conventions;
+mod doors;
+mod ends;
+mod oracle;
+mod random;
+mod scale;
+mod support;
