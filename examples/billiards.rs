@@ -26,18 +26,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (energy, momentum) = (table.energy()?, table.momentum()?);
 
     let mut deepest = table.deepest()?;
-    let mut tracks: Vec<_> = table.positions()?.into_iter().map(|at| vec![at]).collect();
     for frame in 1..=1800 {
-        // Looked at every 2 ms, the paths in the picture get their corners right.
-        for part in 1..=16 {
-            table.play_until((f64::from(frame - 1) + f64::from(part) / 16.0) * FRAME)?;
-            deepest = deepest.max(table.deepest()?);
-            if frame <= 12 {
-                for (track, at) in tracks.iter_mut().zip(table.positions()?) {
-                    track.push(at);
-                }
-            }
-        }
+        table.play_until(f64::from(frame) * FRAME)?;
+        deepest = deepest.max(table.deepest()?);
         if frame == 12 {
             println!("The first 0.4 s:");
             table.hits.iter().for_each(report);
@@ -45,10 +36,11 @@ fn main() -> Result<(), Box<dyn Error>> {
             for (ball, at) in table.positions()?.into_iter().enumerate() {
                 println!("  {:7} ({:.6}, {:.6})", name(ball), at.x, at.y);
             }
-            println!(
-                "\nPicture: {}",
-                picture::draw(&tracks, &table.hits)?.display()
-            );
+            for ball in 0..table.tracks.len() {
+                table.track(ball)?;
+            }
+            let picture = picture::draw(&table.tracks, &table.hits)?;
+            println!("\nPicture: {}", picture.display());
         }
     }
 

@@ -1,6 +1,7 @@
 //! Elastic balls on a table, for seconds, at all speeds: what the world reports
 //! is good enough to keep energy, momentum and distance.
 
+#[allow(dead_code, reason = "the example reads the rest")]
 #[path = "../examples/billiards/table.rs"]
 mod table;
 

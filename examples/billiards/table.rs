@@ -43,6 +43,8 @@ pub(crate) struct Table {
     /// What the cushions have given to the balls, in newton seconds.
     pub(crate) impulse: DVec3,
     pub(crate) hits: Vec<Hit>,
+    /// Where each ball's way began and where it bounced.
+    pub(crate) tracks: Vec<Vec<DVec3>>,
 }
 
 /// Where the cue ball starts and the diamond's nine balls lie, each touching its neighbours.
@@ -97,6 +99,7 @@ impl Table {
             cushions: rim,
             impulse: DVec3::ZERO,
             hits: Vec::new(),
+            tracks: rack().map(|start| vec![start]).to_vec(),
         })
     }
 
@@ -147,6 +150,10 @@ impl Table {
                 Target::Cushion(side.ok_or("the ball hit something unknown")?)
             }
         };
+        self.track(ball)?;
+        if let Target::Ball(other) = target {
+            self.track(other)?;
+        }
         self.hits.push(Hit {
             time: contact.time,
             ball,
@@ -154,6 +161,13 @@ impl Table {
             point: contact.point,
             speed,
         });
+        Ok(())
+    }
+
+    /// Adds where a ball is now to its track.
+    pub(crate) fn track(&mut self, ball: usize) -> Result<(), Box<dyn Error>> {
+        let position = self.world.pose(self.balls[ball])?.position;
+        self.tracks[ball].push(position);
         Ok(())
     }
 
