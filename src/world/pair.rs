@@ -280,8 +280,8 @@ impl Pair<'_> {
         let length = motion.length();
         let closing = -motion.dot(found.normal);
         let touching = found.fraction * length <= touch;
-        let parting = || part(standing, between, motion, touch);
-        if touching && (!(closing > 1e-9 * length) || parting()) {
+        let goes_in = closing > 1e-9 * length;
+        if touching && (!goes_in || part(standing, between, motion, touch)) {
             return None;
         }
         let centre = pose_a.position + self.a.centre_offset;

@@ -315,9 +315,9 @@ impl Facets {
             face,
         };
         if normal.z < 0.0 {
-            self.near.push(facet)
+            self.near.push(facet);
         } else {
-            self.far.push(facet)
+            self.far.push(facet);
         }
     }
 
@@ -394,7 +394,7 @@ fn extent(shape: &Shape, local: &View) -> (DVec2, DVec2) {
 }
 
 fn cuboid_normal(face: u32) -> DVec3 {
-    let sign = if face % 2 == 0 { -1.0 } else { 1.0 };
+    let sign = if face.is_multiple_of(2) { -1.0 } else { 1.0 };
     sign * DVec3::AXES[face as usize / 2 % 3]
 }
 
