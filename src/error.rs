@@ -272,3 +272,30 @@ pub enum FirstContactError {
     #[error(transparent)]
     Step(#[from] StepError),
 }
+
+/// A scene cannot be read, or no world be made of it.
+#[cfg(feature = "serde")]
+#[derive(Debug, Clone, PartialEq, Error)]
+#[non_exhaustive]
+pub enum SceneError {
+    /// A number is outside its domain.
+    #[error(transparent)]
+    Value(#[from] ValueError),
+    /// The settings.
+    #[error(transparent)]
+    Config(#[from] ConfigError),
+    /// One of the bodies.
+    #[error("body \"{name}\": {source}")]
+    Body {
+        /// Its name.
+        name: String,
+        /// What is wrong with it.
+        source: BodyError,
+    },
+    /// Two bodies have the same name.
+    #[error("two bodies are named \"{name}\"")]
+    DuplicateName {
+        /// The name.
+        name: String,
+    },
+}

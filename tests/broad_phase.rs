@@ -6,10 +6,11 @@
 )]
 
 use feeler::broad_phase::{
-    BroadPhase, ObbTest, PairList, Volume, obb_overlap_by_axes, obb_overlap_by_rays,
+    BroadPhase, Flight, FrameBox, FramePairs, ObbTest, PairList, Volume, obb_overlap_by_axes,
+    obb_overlap_by_rays,
 };
 use feeler::sweep::{along_line, along_spline, around_static};
-use feeler::{Obb, Path, Pose, Sphere};
+use feeler::{Aabb, Obb, Path, Pose, Sphere};
 use glam::{DQuat, DVec3};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
@@ -420,4 +421,53 @@ fn an_unbounded_volume_pairs_with_everything_but_not_two_that_rest() {
     let pairs = PairList::build(BroadPhase::default(), &volumes);
     assert_eq!(pairs.dynamic(), [(1, 4)]);
     assert_eq!(pairs.fixed(), [(1, 0), (1, 3), (4, 0), (4, 3)]);
+}
+
+/// Every pair with a free body in it whose boxes overlap, once; whatever the order.
+#[test]
+fn pairs_of_a_frame_are_those_of_brute_force() {
+    let mut random = Random::seeded(11);
+    let (mut pairs, mut found) = (FramePairs::default(), 0);
+    for round in 0..400 {
+        let count = 1 + round % 60;
+        // Coarse coordinates, so that many boxes begin or end at the same place.
+        let coarse = |value: f64| (8.0 * value).round() / 4.0;
+        let boxes: Vec<FrameBox> = (0..count)
+            .map(|slot| {
+                let corner = random.vector().map(coarse);
+                let size = random.vector().abs().map(coarse);
+                let flight = match slot % 5 {
+                    0 => Flight::Fixed,
+                    1 => Flight::Path,
+                    _ => Flight::Free,
+                };
+                FrameBox {
+                    slot,
+                    aabb: Aabb::new(corner, corner + 0.5 * size),
+                    flight,
+                }
+            })
+            .collect();
+        let mut expected = Vec::new();
+        for (index, a) in boxes.iter().enumerate() {
+            for b in &boxes[index + 1..] {
+                let one_is_free = a.flight == Flight::Free || b.flight == Flight::Free;
+                if one_is_free && a.aabb.overlaps(&b.aabb) {
+                    let swap = a.flight == Flight::Fixed;
+                    expected.push(if swap {
+                        (b.slot, a.slot)
+                    } else {
+                        (a.slot, b.slot)
+                    });
+                }
+            }
+        }
+        expected.sort_unstable();
+        found += expected.len();
+        pairs.update(boxes.iter().rev().copied());
+        let mut got = pairs.pairs().to_vec();
+        got.sort_unstable();
+        assert_eq!(got, expected, "round {round}");
+    }
+    assert!(found > 2_000, "inputs are lopsided: {found} pairs");
 }

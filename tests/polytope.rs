@@ -1,5 +1,8 @@
 //! Polytopes: hulls of points, meshes, faces, supports, bounding spheres.
 
+// Clippy's leave for tests stops at the functions that help them.
+#![allow(clippy::unwrap_used, clippy::panic)]
+
 #[path = "polytope/checks.rs"]
 mod checks;
 #[path = "polytope/hulls.rs"]

@@ -6,6 +6,8 @@
 
 mod arc_length;
 mod bezier;
+#[cfg(feature = "serde")]
+mod data;
 mod hermite;
 mod hodograph;
 mod quadratic;
@@ -16,3 +18,6 @@ mod table;
 pub use bezier::CubicBezier;
 pub use spline::Spline;
 pub use table::{ArcLengthRow, ArcLengthTable};
+
+#[cfg(feature = "serde")]
+pub(crate) use data::{SplineData, SplineDataError};

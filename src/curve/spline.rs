@@ -44,8 +44,18 @@ use glam::DVec3;
 /// # Ok::<(), PathError>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(
+        try_from = "crate::curve::data::SplineData",
+        into = "crate::curve::data::SplineData"
+    )
+)]
 pub struct Spline {
     pieces: Vec<CubicBezier>,
+    /// One for every point, as given or Catmull's; the pieces hold them only rounded.
+    tangents: Vec<DVec3>,
     arc_length: ArcLength,
 }
 
@@ -69,7 +79,7 @@ impl Spline {
         let start = domain::vector("start tangent", start_tangent.into(), MAX_COORDINATE)?;
         let end = domain::vector("end tangent", end_tangent.into(), MAX_COORDINATE)?;
         let tangents = hermite::catmull_tangents(&points, start, end);
-        Self::from_checked(&points, &tangents)
+        Self::from_checked(&points, tangents)
     }
 
     /// The spline through `points`, in metres, with a tangent for each.
@@ -91,17 +101,21 @@ impl Spline {
                 tangents: tangents.len(),
             });
         }
-        Self::from_checked(&points, &tangents)
+        Self::from_checked(&points, tangents)
     }
 
-    fn from_checked(points: &[DVec3], tangents: &[DVec3]) -> Result<Self, PathError> {
+    fn from_checked(points: &[DVec3], tangents: Vec<DVec3>) -> Result<Self, PathError> {
         let pieces: Vec<_> = points
             .windows(2)
             .zip(tangents.windows(2))
             .map(|(p, t)| CubicBezier::from_hermite_unchecked(p[0], t[0], p[1], t[1]))
             .collect();
         match ArcLength::measure(&pieces, MIN_LENGTH) {
-            Ok(arc_length) => Ok(Self { pieces, arc_length }),
+            Ok(arc_length) => Ok(Self {
+                pieces,
+                tangents,
+                arc_length,
+            }),
             Err((piece, length)) => Err(PathError::PieceTooShort {
                 piece,
                 length,
@@ -114,6 +128,19 @@ impl Spline {
     #[must_use]
     pub fn pieces(&self) -> &[CubicBezier] {
         &self.pieces
+    }
+
+    /// The points it leads through, in metres.
+    pub fn points(&self) -> impl Iterator<Item = DVec3> + '_ {
+        let first = self.pieces.first().map(|piece| piece.control_points()[0]);
+        let others = self.pieces.iter().map(|piece| piece.control_points()[3]);
+        first.into_iter().chain(others)
+    }
+
+    /// The tangents in its points, as they were given or chosen.
+    #[must_use]
+    pub fn tangents(&self) -> &[DVec3] {
+        &self.tangents
     }
 
     /// The length of the whole spline, in metres.

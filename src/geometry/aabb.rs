@@ -39,15 +39,6 @@ impl Aabb {
         })
     }
 
-    /// The smallest box around both boxes.
-    #[must_use]
-    pub fn union(&self, other: &Self) -> Self {
-        Self {
-            min: self.min.min(other.min),
-            max: self.max.max(other.max),
-        }
-    }
-
     /// The box grown by `margin` metres on every side.
     #[must_use]
     pub fn grown(&self, margin: f64) -> Self {

@@ -22,6 +22,14 @@ use glam::DVec3;
 /// # Ok::<(), ShapeError>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(
+        try_from = "crate::geometry::data::CuboidData",
+        into = "crate::geometry::data::CuboidData"
+    )
+)]
 pub struct Cuboid {
     half_extents: DVec3,
 }

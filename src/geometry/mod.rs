@@ -6,6 +6,8 @@
 
 mod aabb;
 mod cuboid;
+#[cfg(feature = "serde")]
+mod data;
 mod feature;
 mod mesh;
 mod obb;

@@ -8,6 +8,14 @@ use std::sync::Arc;
 ///
 /// A polytope is shared: cloning the shape does not copy it.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(
+        try_from = "crate::geometry::data::ShapeData",
+        into = "crate::geometry::data::ShapeData"
+    )
+)]
 pub enum Shape {
     /// A solid sphere.
     Sphere(Sphere),

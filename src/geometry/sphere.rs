@@ -14,6 +14,14 @@ use crate::tolerance::{MAX_LENGTH, MIN_LENGTH};
 /// # Ok::<(), ShapeError>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(
+        try_from = "crate::geometry::data::SphereData",
+        into = "crate::geometry::data::SphereData"
+    )
+)]
 pub struct Sphere {
     radius: f64,
 }

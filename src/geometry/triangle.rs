@@ -24,6 +24,14 @@ use glam::DVec3;
 /// # Ok::<(), ShapeError>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(
+        try_from = "crate::geometry::data::TriangleData",
+        into = "crate::geometry::data::TriangleData"
+    )
+)]
 pub struct Triangle {
     vertices: [DVec3; 3],
     normal: DVec3,

@@ -25,6 +25,14 @@ use glam::DVec3;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(
+        try_from = "crate::motion::data::MotionData",
+        into = "crate::motion::data::MotionData"
+    )
+)]
 pub struct Motion {
     kind: Kind,
 }

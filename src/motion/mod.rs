@@ -1,5 +1,7 @@
 //! How bodies move.
 
+#[cfg(feature = "serde")]
+mod data;
 mod frame_motion;
 mod kind;
 mod path;

@@ -28,6 +28,14 @@ use std::sync::Arc;
 /// # Ok::<(), PathError>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(
+        try_from = "crate::motion::data::PathData",
+        into = "crate::motion::data::PathData"
+    )
+)]
 pub struct Path {
     course: Course,
 }

@@ -1,9 +1,9 @@
 //! Bounds of a motion: a box around everything a body sweeps through.
 //!
 //! An oriented box around the *whole* path, made once, for the broad phase
-//! before the first frame; an axis-aligned box around one frame for the tests of
-//! that frame. Every box is sound: it holds the body's bounding sphere at every
-//! point of the path, rounding included.
+//! before the first frame; an axis-aligned box around one frame for bodies whose
+//! path nobody knows in advance. Both are sound: they hold the body's bounding
+//! sphere at every point of the path, rounding included.
 //!
 //! Source: the thesis, §2.3.1.
 

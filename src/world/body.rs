@@ -17,6 +17,14 @@ use glam::{DQuat, DVec3};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(
+        try_from = "crate::world::data::BodyData",
+        into = "crate::world::data::BodyData"
+    )
+)]
 pub struct Body {
     pub(crate) shape: Shape,
     pub(crate) orientation: DQuat,

@@ -1,11 +1,12 @@
 //! The world as its users see it.
 
-use crate::broad_phase::{PairList, Volume};
+use crate::broad_phase::{FramePairs, PairList, Volume};
 use crate::error::{BodyError, ConfigError};
 use crate::geometry::{Pose, Shape};
 use crate::motion::{FrameMotion, Motion};
 use crate::narrow_phase::rays::RayCaster;
 use crate::tolerance::touch_tolerance;
+use crate::world::envelope::Envelope;
 use crate::world::slots::{Resident, Slots};
 use crate::world::{Body, BodyId, Contact, Method, StepStats, WorldConfig};
 use glam::DVec3;
@@ -39,6 +40,8 @@ pub struct CollisionWorld {
     pub(super) time: f64,
     pub(super) caster: RayCaster,
     pub(super) pairs: PairList,
+    /// The pairs with bodies in free flight, of the frame at hand.
+    pub(super) frame_pairs: FramePairs,
     /// Where each slot's body can be, over its whole motion.
     pub(super) volumes: Vec<Option<Volume>>,
     /// Slots whose pairs are to be listed anew.
@@ -50,6 +53,8 @@ pub struct CollisionWorld {
     pub(super) met: Vec<(u32, u32)>,
     /// Those of `touching` that still touched as the frame at hand began.
     pub(super) resting: Vec<(u32, u32)>,
+    /// Each slot's body as the early-outs see it, in the frame at hand.
+    pub(super) envelopes: Vec<Envelope>,
     /// Pairs that passed the early-outs of the frame at hand.
     pub(super) survivors: Vec<(u32, u32)>,
     pub(super) stats: StepStats,
@@ -79,12 +84,14 @@ impl CollisionWorld {
             time: 0.0,
             caster: RayCaster::new(rays),
             pairs: PairList::new(config.broad_phase),
+            frame_pairs: FramePairs::default(),
             volumes: Vec::new(),
             changed: Vec::new(),
             contacts: Vec::new(),
             touching: Vec::new(),
             met: Vec::new(),
             resting: Vec::new(),
+            envelopes: Vec::new(),
             survivors: Vec::new(),
             stats: StepStats::default(),
         }

@@ -8,7 +8,13 @@ use crate::narrow_phase::rays::RayConfig;
 /// Settings of a [`CollisionWorld`](crate::CollisionWorld).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(default, deny_unknown_fields))]
+#[cfg_attr(
+    feature = "serde",
+    serde(
+        try_from = "crate::world::data::WorldConfigData",
+        into = "crate::world::data::WorldConfigData"
+    )
+)]
 pub struct WorldConfig {
     /// How two bodies are examined.
     pub method: Method,

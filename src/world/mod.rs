@@ -4,6 +4,9 @@ mod body;
 mod collision_world;
 mod config;
 mod contact;
+#[cfg(feature = "serde")]
+mod data;
+mod envelope;
 mod id;
 mod pair;
 mod slots;
@@ -19,3 +22,6 @@ pub use id::BodyId;
 pub use pair::{PairContact, first_contact};
 pub use stats::{PhaseTimes, StepStats};
 pub use step::Advance;
+
+#[cfg(feature = "serde")]
+pub(crate) use data::Orientation;

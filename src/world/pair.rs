@@ -92,14 +92,6 @@ pub(crate) struct PairEffort {
     pub(crate) rays: u64,
 }
 
-/// Whether an early-out test shows that the pair cannot touch in the frame.
-pub(crate) fn reject(a: &Resident, b: &Resident) -> Option<early_out::Rejection> {
-    let between = b.frame.start - a.frame.start + (b.centre_offset - a.centre_offset);
-    let motion = a.frame.displacement - b.frame.displacement;
-    let reach = a.reach + b.reach + a.frame.deviation + b.frame.deviation;
-    early_out::reject(between, motion, reach)
-}
-
 /// First contact of a pair in the frame.
 pub(crate) fn examine(
     caster: &mut RayCaster,
@@ -276,12 +268,13 @@ impl Pair<'_> {
             self.caster
                 .shortest_ray(standing, between, motion, touch, &mut self.effort.rays)?;
         // Bodies that touch as the stretch begins and part, or slide along each
-        // other, make no contact. NaN compares false and makes none either.
+        // other, make no contact.
+        /// Sine of the angle to the surface below which a motion slides along it.
+        const SLIDE: f64 = 1e-9;
         let length = motion.length();
         let closing = -motion.dot(found.normal);
         let touching = found.fraction * length <= touch;
-        let goes_in = closing > 1e-9 * length;
-        if touching && (!goes_in || part(standing, between, motion, touch)) {
+        if touching && (closing <= SLIDE * length || part(standing, between, motion, touch)) {
             return None;
         }
         let centre = pose_a.position + self.a.centre_offset;
@@ -343,9 +336,6 @@ pub fn first_contact(
         Ok(resident)
     };
     let (a, b) = (resident(a)?, resident(b)?);
-    if reject(&a, &b).is_some() {
-        return Ok(None);
-    }
     let mut effort = PairEffort::default();
     let finding = examine(&mut caster, &Mover::new(&a), &Mover::new(&b), &mut effort);
     Ok(finding.map(|finding| finding.contact))

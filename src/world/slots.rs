@@ -127,9 +127,9 @@ impl Slots {
             .filter_map(|(index, slot)| Some((index, slot.resident.as_ref()?)))
     }
 
-    pub(crate) fn iter_mut(&mut self) -> impl Iterator<Item = &mut Resident> {
-        self.slots
-            .iter_mut()
-            .filter_map(|slot| slot.resident.as_mut())
+    pub(crate) fn iter_mut(&mut self) -> impl Iterator<Item = (u32, &mut Resident)> {
+        (0..)
+            .zip(&mut self.slots)
+            .filter_map(|(index, slot)| Some((index, slot.resident.as_mut()?)))
     }
 }

@@ -4,11 +4,14 @@
 //! come first, because they are all that can still fail; what follows changes
 //! the world.
 
+use crate::broad_phase::BroadPhase;
 use crate::error::StepError;
 use crate::math::domain;
 use crate::motion::FrameMotion;
 use crate::tolerance::{MAX_COORDINATE, MAX_TIME_STEP, MIN_TIME_STEP};
+use crate::world::envelope::Envelope;
 use crate::world::pair::{self, Mover, PairEffort};
+use crate::world::slots::Resident;
 use crate::world::stats::Laps;
 use crate::world::{CollisionWorld, Contact, ContactKind, StepStats, volume};
 
@@ -103,7 +106,8 @@ impl CollisionWorld {
         self.move_bodies(dt);
         stats.times.motions = laps.lap();
         self.list_pairs();
-        stats.pairs = self.pairs.dynamic().len() + self.pairs.fixed().len();
+        stats.pairs =
+            self.pairs.dynamic().len() + self.pairs.fixed().len() + self.frame_pairs.pairs().len();
         stats.times.broad_phase = laps.lap();
         self.reject_early(&mut stats);
         stats.times.early_outs = laps.lap();
@@ -144,42 +148,56 @@ impl CollisionWorld {
 
     /// What every body does in the frame.
     fn move_bodies(&mut self, dt: f64) {
-        for resident in self.slots.iter_mut() {
+        self.envelopes.clear();
+        self.envelopes
+            .resize(self.slots.capacity(), Envelope::default());
+        for (slot, resident) in self.slots.iter_mut() {
             let elapsed = self.time - resident.since;
             // By the clock, which moves on by `dt` to rounding only: the next
             // frame shall begin where this one ends.
             let duration = (self.time + dt - resident.since) - elapsed;
             resident.frame = FrameMotion::new(resident.body.motion(), elapsed, duration);
+            if let Some(envelope) = self.envelopes.get_mut(slot as usize) {
+                *envelope = Envelope::of(resident);
+            }
         }
     }
 
     /// The broad phase: which pairs can meet at all.
     fn list_pairs(&mut self) {
-        if self.changed.is_empty() {
-            return;
-        }
-        self.volumes.resize(self.slots.capacity(), None);
-        for &slot in &self.changed {
-            if let Some(volume) = self.volumes.get_mut(slot as usize) {
-                *volume = self
-                    .slots
-                    .at(slot)
-                    .map(|resident| volume::of(&resident.body));
+        let broad_phase = self.config.broad_phase;
+        if !self.changed.is_empty() {
+            self.volumes.resize(self.slots.capacity(), None);
+            for &slot in &self.changed {
+                if let Some(volume) = self.volumes.get_mut(slot as usize) {
+                    let resident = self.slots.at(slot);
+                    *volume = resident.and_then(|body| volume::of(&body.body, broad_phase));
+                }
             }
+            self.pairs.update(&self.changed, &self.volumes);
+            self.changed.clear();
         }
-        self.pairs.update(&self.changed, &self.volumes);
-        self.changed.clear();
+        let is_free = |(_, body): (u32, &Resident)| body.body.motion().is_free();
+        let anyone_free = broad_phase != BroadPhase::AllPairs && self.slots.iter().any(is_free);
+        let boxes = anyone_free.then(|| self.slots.iter()).into_iter().flatten();
+        self.frame_pairs
+            .update(boxes.map(|(slot, body)| volume::in_frame(slot, body)));
     }
 
     /// The early-outs: which of them cannot meet in this frame.
     fn reject_early(&mut self, stats: &mut StepStats) {
         self.survivors.clear();
-        for &(first, second) in self.pairs.dynamic().iter().chain(self.pairs.fixed()) {
-            let (Some(a), Some(b)) = (self.slots.at(first), self.slots.at(second)) else {
+        let listed = self.pairs.dynamic().iter().chain(self.pairs.fixed());
+        for &(first, second) in listed.chain(self.frame_pairs.pairs()) {
+            let envelopes = &self.envelopes;
+            let (Some(a), Some(b)) = (
+                envelopes.get(first as usize),
+                envelopes.get(second as usize),
+            ) else {
                 debug_assert!(false, "a pair of a body that is gone");
                 continue;
             };
-            match pair::reject(a, b) {
+            match a.reject(b) {
                 Some(rejection) => stats.rejected.count(rejection),
                 None => self.survivors.push((first, second)),
             }
@@ -231,7 +249,7 @@ impl CollisionWorld {
     /// Lets time pass, and remembers which pairs touch from now on.
     fn advance(&mut self, elapsed: f64) {
         self.time += elapsed;
-        for resident in self.slots.iter_mut() {
+        for (_, resident) in self.slots.iter_mut() {
             resident.placed = false;
         }
         let contacts = self.contacts.iter().map(|c| (c.a.slot, c.b.slot));

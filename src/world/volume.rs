@@ -1,16 +1,20 @@
 //! What the broad phase sees of a body.
 
-use crate::broad_phase::Volume;
+use crate::broad_phase::{BroadPhase, Flight, FrameBox, Volume};
 use crate::geometry::{Obb, Pose};
-use crate::sweep::{along_line, along_spline, around_static};
+use crate::sweep::{along_line, along_spline, around_static, swept_aabb};
 use crate::world::Body;
+use crate::world::slots::Resident;
 
-/// The volume of a body over its whole motion.
-pub(super) fn of(body: &Body) -> Volume {
-    Volume {
-        obb: swept(body),
-        moving: !body.motion().is_fixed(),
-    }
+/// The volume of a body over its whole motion; none if it is not to be listed
+/// by volume: in free flight nothing bounds it.
+pub(super) fn of(body: &Body, broad_phase: BroadPhase) -> Option<Volume> {
+    let obb = match broad_phase {
+        BroadPhase::AllPairs => None,
+        BroadPhase::SweptObb(_) => Some(swept(body)?),
+    };
+    let moving = !body.motion().is_fixed();
+    Some(Volume { obb, moving })
 }
 
 /// The box around all places where a body will be; none in free flight.
@@ -29,4 +33,23 @@ fn swept(body: &Body) -> Option<Obb> {
         Some(spline) => along_spline(spline, offset, reach),
         None => along_line(path.start(), path.end(), offset, reach),
     })
+}
+
+/// The box around all places where a body will be in the frame at hand.
+pub(super) fn in_frame(slot: u32, resident: &Resident) -> FrameBox {
+    let frame = &resident.frame;
+    let from = frame.start + resident.centre_offset;
+    let to = from + frame.displacement;
+    // Both ends were rounded, and the narrow phase rounds differently.
+    let rounding = 8.0 * f64::EPSILON * (from.abs().max_element() + to.abs().max_element());
+    let motion = resident.body.motion();
+    FrameBox {
+        slot,
+        aabb: swept_aabb(from, to, resident.reach + frame.deviation + rounding),
+        flight: match (motion.is_free(), motion.is_fixed()) {
+            (true, _) => Flight::Free,
+            (false, true) => Flight::Fixed,
+            (false, false) => Flight::Path,
+        },
+    }
 }

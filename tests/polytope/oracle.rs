@@ -98,10 +98,10 @@ fn independent(a: Point, b: Point, c: Point) -> bool {
     const PRIME: i128 = (1 << 61) - 1;
     let [a, b, c] = [a, b, c].map(|v| v.map(|x| x.rem_euclid(PRIME)));
     let mut determinant = 0;
-    for i in 0..3 {
+    for (i, a) in a.into_iter().enumerate() {
         let (j, k) = ((i + 1) % 3, (i + 2) % 3);
         let minor = (b[j] * c[k] % PRIME - b[k] * c[j] % PRIME).rem_euclid(PRIME);
-        determinant = (determinant + a[i] * minor) % PRIME;
+        determinant = (determinant + a * minor) % PRIME;
     }
     determinant != 0
 }

@@ -5,7 +5,7 @@ use glam::DVec3;
 
 /// Up to this many vertices are compared one by one; with more, climbing over
 /// edges is faster. Measured by `benches/polytope.rs`; only time depends on it.
-const SCAN: usize = 40;
+const SCAN: usize = 24;
 
 /// Vertices per cell of the table of starts: with four a climb takes about two
 /// steps, and the table is small beside the vertices.
@@ -47,10 +47,11 @@ impl Support {
 
     /// A vertex farthest along `direction`.
     pub(super) fn vertex(&self, vertices: &[DVec3], direction: DVec3) -> u32 {
-        match self.starts.get(self.cell(direction)) {
-            Some(&start) => self.climb(vertices, direction, start),
-            None => scan(vertices, direction),
+        if self.starts.is_empty() {
+            return scan(vertices, direction);
         }
+        let start = self.starts[self.cell(direction)];
+        self.climb(vertices, direction, start)
     }
 
     /// All corners of the hull that may be as far along `normal` as any, to
@@ -84,17 +85,20 @@ impl Support {
 
     /// From neighbour to higher neighbour. Heights are taken from differences
     /// of vertices: seen from afar, all of a cluster's vertices look equally high.
+    ///
+    /// A step must gain more than its rounding (six roundings, half an ulp each),
+    /// or along a face's normal it would go round the face for ever.
     fn climb(&self, vertices: &[DVec3], direction: DVec3, start: u32) -> u32 {
         let mut best = start;
-        // Rounding may make some neighbours each higher than the other; the
-        // bound keeps them from sending us round for ever.
+        // Products that underflow have no such bound on their rounding.
         for _ in 0..vertices.len() {
             let here = vertices[best as usize];
             let (mut gain, mut higher) = (0.0, best);
             for &neighbour in self.climb.get(best as usize) {
-                let height = direction.dot(vertices[neighbour as usize] - here);
+                let products = direction * (vertices[neighbour as usize] - here);
+                let height = products.element_sum();
                 // NaN is no gain.
-                if height > gain {
+                if height > gain && height > 4.0 * f64::EPSILON * products.abs().element_sum() {
                     (gain, higher) = (height, neighbour);
                 }
             }
@@ -117,17 +121,15 @@ impl Support {
         } else {
             2
         };
-        let main = direction[axis];
+        let DVec3 { x, y, z } = direction;
+        let [main, first, second] = [[x, y, z], [y, z, x], [z, x, y]][axis];
+        let scale = 0.5 * self.cells as f64 / main.abs();
         let place = |other: f64| {
-            let fraction = 0.5 * (other / main.abs() + 1.0);
-            ((fraction * self.cells as f64) as usize).min(self.cells.saturating_sub(1))
+            let place = (other * scale + 0.5 * self.cells as f64) as usize;
+            place.min(self.cells - 1)
         };
         let side = 2 * axis + usize::from(main > 0.0);
-        let (row, column) = (
-            place(direction[(axis + 1) % 3]),
-            place(direction[(axis + 2) % 3]),
-        );
-        (side * self.cells + row) * self.cells + column
+        (side * self.cells + place(first)) * self.cells + place(second)
     }
 
     /// The direction through the middle of a cell.
@@ -152,10 +154,11 @@ fn scan(vertices: &[DVec3], direction: DVec3) -> u32 {
     let (mut most, mut farthest) = (f64::NEG_INFINITY, 0);
     for (vertex, position) in vertices.iter().enumerate() {
         let reach = direction.dot(*position);
-        // NaN is never farther.
-        if reach > most {
-            (most, farthest) = (reach, vertex as u32);
-        }
+        // NaN is never farther. Two selections and no branch: which vertex is
+        // farther than all before it cannot be predicted.
+        let farther = reach > most;
+        most = if farther { reach } else { most };
+        farthest = std::hint::select_unpredictable(farther, vertex as u32, farthest);
     }
     farthest
 }

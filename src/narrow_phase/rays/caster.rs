@@ -1,7 +1,6 @@
 //! The shortest ray between two bodies.
 
 use crate::geometry::{Feature, Mesh, Pose, Shape};
-use crate::math::frame::orthonormal;
 use crate::narrow_phase::rays::aim::Aim;
 use crate::narrow_phase::rays::crossings::{Crossing, Crossings};
 use crate::narrow_phase::rays::refine::{search_area, search_edge};
@@ -141,7 +140,7 @@ impl RayCaster {
             // No motion, or one too short to have a direction.
             return None;
         }
-        let view = view(direction, between);
+        let view = View::along(direction, between);
         let centre_b = view.coordinates(between);
         let shadow_a = Shadow::new(a.shape, a.pose, view, DVec3::ZERO);
         let shadow_b = Shadow::new(b.shape, b.pose, view, centre_b);
@@ -323,7 +322,7 @@ impl RayCaster {
                 behind: false,
             };
         }
-        Some(best)
+        Some(scene.polish(best, rays))
     }
 }
 
@@ -438,6 +437,49 @@ impl Scene<'_> {
         }
     }
 
+    /// The ray between a ball and the face of the other body that the shortest
+    /// ray so far leads to, if it is shorter still.
+    ///
+    /// The ball touches that face with the point whose normal opposes it. Where
+    /// the ball nearly slides along the face, this point lies at the rim of its
+    /// shadow, and rays that close in on it from the middle come too slowly.
+    fn polish(&self, mut best: Shortest, rays: &mut u64) -> Shortest {
+        let (ball, behind) = match (self.shadow_a.disc(), self.shadow_b.disc()) {
+            (Some(_), None) => (&self.shadow_a, false),
+            (None, Some(_)) => (&self.shadow_b, true),
+            _ => return best,
+        };
+        // A better ray may lead to the face beside; a few are enough.
+        for _ in 0..4 {
+            let Some((far_a, near_b)) = self.ends(best) else {
+                break;
+            };
+            let (x, y) = (best.at.x, best.at.y);
+            let (normal, _) = if behind {
+                self.shadow_a.surface_at(x, y, far_a, Side::Far)
+            } else {
+                self.shadow_b.surface_at(x, y, near_b, Side::Near)
+            };
+            let start = ball.centre - ball.size * self.view.coordinates(normal);
+            let gap = self.valid(if behind {
+                start.z - self.shadow_a.depth(Side::Far, start.truncate())
+            } else {
+                self.shadow_b.depth(Side::Near, start.truncate()) - start.z
+            });
+            *rays += 1;
+            if gap.is_nan() || gap >= best.gap {
+                break;
+            }
+            best = Shortest {
+                at: start.truncate(),
+                gap,
+                origin: Origin::Area,
+                behind,
+            };
+        }
+        best
+    }
+
     /// What the shortest ray tells about the touch.
     fn touch(&self, best: Shortest) -> Option<RayTouch> {
         let fraction = best.gap.max(0.0) / self.longest;
@@ -491,20 +533,6 @@ impl Scene<'_> {
             Some((near - best.gap, near))
         }
     }
-}
-
-/// A frame along the motion, its first axis towards the second body.
-fn view(direction: DVec3, between: DVec3) -> View {
-    let across = between - between.dot(direction) * direction;
-    let x = across
-        .try_normalize()
-        .and_then(|x| (x - x.dot(direction) * direction).try_normalize());
-    let (x, y) = match x {
-        // What is left of a body straight ahead is rounding, and no direction.
-        Some(x) if across.length() > 1e-14 * between.length() => (x, direction.cross(x)),
-        _ => orthonormal(direction),
-    };
-    View { x, y, z: direction }
 }
 
 /// How many of the rays are not kept for refinement.

@@ -1,6 +1,7 @@
 //! A body seen along the motion.
 
 use crate::geometry::{Feature, Mesh, Pose, Shape};
+use crate::math::frame::orthonormal;
 use glam::{DVec2, DVec3};
 
 /// The frame in which all rays of a pair are parallel to `z`.
@@ -16,6 +17,20 @@ pub(super) struct View {
 }
 
 impl View {
+    /// A frame along the motion, its first axis towards the second body.
+    pub(super) fn along(direction: DVec3, between: DVec3) -> Self {
+        let across = between - between.dot(direction) * direction;
+        let x = across
+            .try_normalize()
+            .and_then(|x| (x - x.dot(direction) * direction).try_normalize());
+        let (x, y) = match x {
+            // What is left of a body straight ahead is rounding, and no direction.
+            Some(x) if across.length() > 1e-14 * between.length() => (x, direction.cross(x)),
+            _ => orthonormal(direction),
+        };
+        Self { x, y, z: direction }
+    }
+
     /// Coordinates in this frame of a vector of the world.
     pub(super) fn coordinates(&self, vector: DVec3) -> DVec3 {
         DVec3::new(vector.dot(self.x), vector.dot(self.y), vector.dot(self.z))

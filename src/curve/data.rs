@@ -1,0 +1,69 @@
+//! Splines as they are written: points and tangents.
+
+use crate::curve::{Spline, hermite};
+use crate::error::PathError;
+use crate::math::data::Vector;
+use glam::DVec3;
+use serde::{Deserialize, Serialize};
+use thiserror::Error;
+
+/// Either the tangents at both ends or one for every point.
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct SplineData {
+    pub(crate) points: Vec<Vector>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) start_tangent: Option<Vector>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) end_tangent: Option<Vector>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) tangents: Option<Vec<Vector>>,
+}
+
+/// What is wrong with a spline as it was written.
+#[derive(Debug, Error)]
+pub(crate) enum SplineDataError {
+    #[error(transparent)]
+    Path(#[from] PathError),
+    #[error("a spline needs either `tangents` or both `start_tangent` and `end_tangent`")]
+    Tangents,
+}
+
+impl TryFrom<SplineData> for Spline {
+    type Error = SplineDataError;
+
+    fn try_from(data: SplineData) -> Result<Self, SplineDataError> {
+        match (data.start_tangent, data.end_tangent, data.tangents) {
+            (Some(start), Some(end), None) => Ok(Self::through(data.points, start, end)?),
+            (None, None, Some(tangents)) => Ok(Self::with_tangents(data.points, tangents)?),
+            _ => Err(SplineDataError::Tangents),
+        }
+    }
+}
+
+impl From<&Spline> for SplineData {
+    /// With the tangents at the ends alone where those between are Catmull's.
+    fn from(spline: &Spline) -> Self {
+        let points: Vec<DVec3> = spline.points().collect();
+        let tangents = spline.tangents();
+        let written = |vectors: &[DVec3]| vectors.iter().copied().map(Vector::from).collect();
+        let ends = match tangents {
+            [start, .., end] if hermite::catmull_tangents(&points, *start, *end) == tangents => {
+                Some([*start, *end])
+            }
+            _ => None,
+        };
+        Self {
+            points: written(&points),
+            start_tangent: ends.map(|[start, _]| start.into()),
+            end_tangent: ends.map(|[_, end]| end.into()),
+            tangents: ends.is_none().then(|| written(tangents)),
+        }
+    }
+}
+
+impl From<Spline> for SplineData {
+    fn from(spline: Spline) -> Self {
+        Self::from(&spline)
+    }
+}
