@@ -5,7 +5,8 @@ use std::fmt;
 /// Names one body of one world.
 ///
 /// An id stays valid until its body is removed, and is known to be stale from
-/// then on, even when another body has taken the place.
+/// then on, even when another body has taken the place. Worlds count alike: an
+/// id of another world may name a body of this one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct BodyId {
     pub(crate) slot: u32,

@@ -6,7 +6,7 @@ use crate::geometry::{Feature, Pose, Shape};
 use crate::math::domain;
 use crate::motion::{FrameMotion, Motion};
 use crate::narrow_phase::overlap::overlap;
-use crate::narrow_phase::rays::{Chords, Overlaps, RayCaster, Standing};
+use crate::narrow_phase::rays::{Chords, Overlaps, RayCaster, Standing, part};
 use crate::tolerance::{MAX_TIME_STEP, MIN_TIME_STEP, touch_tolerance};
 use crate::world::slots::Resident;
 use crate::world::{Body, ContactKind, Method, WorldConfig};
@@ -274,7 +274,7 @@ impl Pair<'_> {
         let length = motion.length();
         let closing = -motion.dot(found.normal);
         let touching = found.fraction * length <= touch;
-        if touching && closing <= SLIDE * length {
+        if touching && (closing <= SLIDE * length || part(standing, between, motion, touch)) {
             return None;
         }
         let centre = pose_a.position + self.a.centre_offset;

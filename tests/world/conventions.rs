@@ -50,7 +50,7 @@ fn touch_tells(a: &Body, b: &Body) -> bool {
     let found = first_contact(a, b, 1.0, &Method::default()).unwrap();
     if let Some(found) = found {
         assert_eq!(found.kind, ContactKind::Touch);
-        assert!(found.fraction < 1e-12, "{found:?}");
+        assert!(found.fraction < 1e-11, "{found:?}");
     }
     found.is_some()
 }
@@ -61,23 +61,30 @@ fn from_touch_going_in_is_contact_and_parting_or_sliding_is_none() {
     let mut random = Random::seeded(4);
     for a in &shapes {
         for b in &shapes {
-            for _ in 0..200 {
+            for case in 0..200 {
                 let along = random.within(-1.0, 1.0);
-                let place = DVec3::new(-2.0, 0.3 * along, 0.2);
-                let place = if matches!((a, b), (Shape::Cuboid(_), Shape::Cuboid(_))) {
-                    place
+                // Face to face boxes may be offset, or flush; balls may not.
+                let both_boxes = matches!((a, b), (Shape::Cuboid(_), Shape::Cuboid(_)));
+                let aside = if both_boxes && case % 2 == 0 {
+                    0.3
                 } else {
-                    // Against the middle, or it would be two balls aslant.
-                    DVec3::new(-2.0, 0.0, 0.0)
+                    0.0
                 };
-                let other = Body::fixed(b.clone(), [0.0; 3]);
+                let place = DVec3::new(-2.0, aside * along, 0.7 * aside);
+                let turn = if case % 4 < 2 {
+                    DQuat::IDENTITY
+                } else {
+                    random.turn()
+                };
+                let other = Body::fixed(b.clone(), [0.0; 3]).oriented(turn);
                 let slide = DVec3::new(0.0, along, random.within(-1.0, 1.0));
                 for (ahead, want) in [(0.5, true), (1e-3, true), (0.0, false), (-1e-3, false)] {
-                    let body = flying(a, place, slide + ahead * DVec3::X);
+                    let velocity = slide + ahead * DVec3::X;
+                    let body = flying(a, turn * place, turn * velocity).oriented(turn);
                     assert_eq!(
                         touch_tells(&body, &other),
                         want,
-                        "{a:?} {b:?} {slide} {ahead}"
+                        "{a:?} {b:?} {turn} {velocity}"
                     );
                 }
             }
@@ -219,7 +226,7 @@ fn stepping_to_contact_tells_pairs_an_ulp_apart_and_ends() {
             assert!((advance.elapsed + advance.time_left - left).abs() < 1e-12);
             left = advance.time_left;
             let elapsed = advance.elapsed;
-            assert_eq!(world.time(), before + elapsed);
+            assert_eq!(world.time().to_bits(), (before + elapsed).to_bits());
         }
         assert_eq!(touches, pairs, "case {case}");
     }

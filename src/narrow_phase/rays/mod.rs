@@ -7,6 +7,7 @@ mod aim;
 mod caster;
 mod config;
 mod crossings;
+mod parting;
 mod refine;
 mod shadow;
 mod starts;
@@ -14,3 +15,4 @@ mod starts;
 pub use config::{Chords, Overlaps, Placement, RayConfig, Refinement, Senders};
 
 pub(crate) use caster::{RayCaster, Standing};
+pub(crate) use parting::part;

@@ -130,7 +130,8 @@ impl Starts {
             // xL² = z√(R² − x²L²).
             let (along, rise) = ((to - from).truncate(), side * (to - from).z);
             let length_squared = along.length_squared();
-            if !(length_squared > 0.0) {
+            if length_squared <= 0.0 {
+                // Along the motion: its ends are vertices.
                 continue;
             }
             let foot = (centre - from.truncate()).dot(along) / length_squared;
