@@ -48,7 +48,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let energy_now = table.energy()?;
     println!("  kinetic energy  {energy:.12} J before, {energy_now:.12} J now");
     let balance = table.momentum()? - table.impulse;
-    println!("  momentum        {:.12} N s before", momentum);
+    println!("  momentum        {momentum:.12} N s before");
     println!("  less cushions'  {balance:.12} N s now");
     println!(
         "  deepest overlap {:.1e} m at any time looked at",

@@ -24,7 +24,8 @@ pub struct Advance<'a> {
     pub contacts: &'a [Contact],
     /// How much time has passed, in seconds.
     pub elapsed: f64,
-    /// How much of the time given is left, in seconds; 0 if nothing touched.
+    /// How much of the time given is left, in seconds; 0 if nothing touched, or
+    /// if less is left than [`MIN_TIME_STEP`], which no step can use.
     pub time_left: f64,
 }
 
@@ -86,10 +87,15 @@ impl CollisionWorld {
             self.stats.contacts = self.contacts.len();
         }
         self.advance(elapsed);
+        let time_left = dt - elapsed;
         Ok(Advance {
             contacts: &self.contacts,
             elapsed,
-            time_left: dt - elapsed,
+            time_left: if time_left < MIN_TIME_STEP {
+                0.0
+            } else {
+                time_left
+            },
         })
     }
 

@@ -167,6 +167,7 @@ fn crossed_needles_meet() {
         let solids = [0, 1].map(|i| Solid::of(&needle, &poses[i]));
         let want = first_touch(&solids[0], &solids[1], 2.0 * across).unwrap();
         assert!((got.fraction - want).abs() < 1e-12, "{got:?} {want}");
+        // A ray reports the normal of the triangle that it hits.
         assert!(got.normal.dot(across) < -0.5, "{got:?}");
     }
 }

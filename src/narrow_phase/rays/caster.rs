@@ -1,8 +1,9 @@
 //! The shortest ray between two bodies.
 
-use crate::geometry::{Feature, Mesh, Pose, Shape};
+use crate::geometry::{Mesh, Shape};
 use crate::narrow_phase::rays::aim::Aim;
 use crate::narrow_phase::rays::crossings::{Crossing, Crossings};
+use crate::narrow_phase::rays::facing::{Facing, PREFERENCE, RayTouch, Shortest, Standing};
 use crate::narrow_phase::rays::refine::{search_area, search_edge};
 use crate::narrow_phase::rays::shadow::{Shadow, Side, View};
 use crate::narrow_phase::rays::starts::{Origin, Outline, Starts, gaps_ahead, gaps_behind};
@@ -12,29 +13,6 @@ use crate::sampling::{
 };
 use glam::{DVec2, DVec3};
 use std::f64::consts::TAU;
-
-/// A body as a stretch of straight relative motion begins.
-#[derive(Clone, Copy)]
-pub(crate) struct Standing<'a> {
-    pub(crate) shape: &'a Shape,
-    pub(crate) pose: &'a Pose,
-    /// What [`RayCaster::surface_points`] gave for the shape.
-    pub(crate) points: &'a [DVec3],
-}
-
-/// The shortest ray.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct RayTouch {
-    /// Its length as a share of the relative motion, `0..=1`.
-    pub(crate) fraction: f64,
-    /// Its end on the second body, from the first body's bounding centre, both
-    /// as the stretch begins.
-    pub(crate) offset: DVec3,
-    /// Unit normal, out of the second body.
-    pub(crate) normal: DVec3,
-    /// Features of the first and of the second body.
-    pub(crate) features: [Feature; 2],
-}
 
 /// Casts the rays of all pairs; keeps its buffers from one to the next.
 pub(crate) struct RayCaster {
@@ -50,22 +28,6 @@ pub(crate) struct RayCaster {
     gaps: Vec<f64>,
     crossings: Crossings,
 }
-
-/// A ray found to be the shortest so far.
-#[derive(Clone, Copy)]
-struct Shortest {
-    at: DVec2,
-    gap: f64,
-    origin: Origin,
-    /// Whether it was sent back by the second body.
-    behind: bool,
-}
-
-/// How much shorter a ray sent back must be to be preferred, as a share of the pair's size.
-///
-/// Where two edges meet both bodies' rays find the same touch, and rounding
-/// would choose between their normals.
-const PREFERENCE: f64 = 1e-9;
 
 impl RayCaster {
     pub(crate) fn new(config: RayConfig) -> Self {
@@ -149,7 +111,7 @@ impl RayCaster {
             Outline::new(a.shape, a.pose, view, DVec3::ZERO),
             Outline::new(b.shape, b.pose, view, centre_b),
         ];
-        let scene = Scene {
+        let facing = Facing {
             view,
             shadow_a,
             shadow_b,
@@ -159,20 +121,20 @@ impl RayCaster {
             longest: length,
         };
 
-        self.place(&scene, (a, b));
+        self.place(&facing, (a, b));
         *rays += (self.ahead.len() + self.behind.len()) as u64;
-        let best = self.cast_all(&scene);
-        let best = self.refine(&scene, best, rays);
-        if let Some(crossing) = self.cross(&scene, (a, b), best, rays) {
-            return scene.touch_of_edges(&crossing);
+        let best = self.cast_all(&facing);
+        let best = self.refine(&facing, best, rays);
+        if let Some(crossing) = self.cross(&facing, (a, b), best, rays) {
+            return facing.touch_of_edges(&crossing);
         }
-        scene.touch(best?)
+        facing.touch(best?)
     }
 
     /// The shortest ray between two edges, if it is shorter than all others.
     fn cross(
         &mut self,
-        scene: &Scene<'_>,
+        facing: &Facing<'_>,
         (a, b): (Standing<'_>, Standing<'_>),
         best: Option<Shortest>,
         rays: &mut u64,
@@ -181,62 +143,64 @@ impl RayCaster {
             return None;
         }
         // Where a vertex is as near, it is the vertex that touches.
-        let limit = best.map_or(scene.longest, |best| match best.origin {
-            Origin::Vertex(_) => best.gap - PREFERENCE * scene.size(),
-            Origin::Area | Origin::Edge { .. } => best.gap - scene.rounding(),
+        let limit = best.map_or(facing.longest, |best| match best.origin {
+            Origin::Vertex(_) => best.gap - PREFERENCE * facing.size(),
+            Origin::Area | Origin::Edge { .. } => best.gap - facing.rounding(),
         });
-        let [outline_a, outline_b] = &scene.outlines;
-        let directions = [a.pose, b.pose].map(|pose| pose.local_direction(scene.view.z));
+        let [outline_a, outline_b] = &facing.outlines;
+        let directions = [a.pose, b.pose].map(|pose| pose.local_direction(facing.view.z));
         self.crossings.shortest(
             [(outline_a, a.shape), (outline_b, b.shape)],
             directions,
-            &scene.aim,
-            (scene.touch, limit),
-            |start, end| scene.is_in_front(false, start) && scene.is_in_front(true, end),
+            &facing.aim,
+            (facing.touch, limit),
+            |start, end| facing.is_in_front(false, start) && facing.is_in_front(true, end),
             rays,
         )
     }
 
     /// Fills in where the first rays start.
-    fn place(&mut self, scene: &Scene<'_>, (a, b): (Standing<'_>, Standing<'_>)) {
+    fn place(&mut self, facing: &Facing<'_>, (a, b): (Standing<'_>, Standing<'_>)) {
         self.ahead.clear();
         self.behind.clear();
         let both = self.config.senders == Senders::Both;
-        let [outline_a, outline_b] = &scene.outlines;
+        let [outline_a, outline_b] = &facing.outlines;
         match self.config.placement {
             Placement::Aimed => {
                 self.ahead
-                    .push_aimed(&self.lattice, &scene.aim, &scene.shadow_a);
+                    .push_aimed(&self.lattice, &facing.aim, &facing.shadow_a);
                 let each = (self.config.rays / 32).clamp(1, 8);
                 self.ahead
-                    .push_faces(&scene.shadow_a, &scene.shadow_b, &scene.aim);
-                self.ahead.push_vertices(outline_a, Some(&scene.aim));
-                match scene.shadow_b.ball() {
-                    Some(ball) => self.ahead.push_tangents(outline_a, &scene.aim, ball, 1.0),
-                    None => self.ahead.push_edges(outline_a, &scene.aim, each),
+                    .push_faces(&facing.shadow_a, &facing.shadow_b, &facing.aim);
+                self.ahead.push_vertices(outline_a, Some(&facing.aim));
+                match facing.shadow_b.ball() {
+                    Some(ball) => self.ahead.push_tangents(outline_a, &facing.aim, ball, 1.0),
+                    None => self.ahead.push_edges(outline_a, &facing.aim, each),
                 }
                 if both {
-                    self.behind.push_vertices(outline_b, Some(&scene.aim));
-                    match scene.shadow_a.ball() {
-                        Some(ball) => self.behind.push_tangents(outline_b, &scene.aim, ball, -1.0),
-                        None => self.behind.push_edges(outline_b, &scene.aim, each),
+                    self.behind.push_vertices(outline_b, Some(&facing.aim));
+                    match facing.shadow_a.ball() {
+                        Some(ball) => self
+                            .behind
+                            .push_tangents(outline_b, &facing.aim, ball, -1.0),
+                        None => self.behind.push_edges(outline_b, &facing.aim, each),
                     }
                 }
             }
             Placement::Thesis | Placement::Even => {
                 let hemisphere = &self.hemisphere;
-                scene.push_surface(&mut self.ahead, a, hemisphere, DVec3::ZERO, 1.0);
+                facing.push_surface(&mut self.ahead, a, hemisphere, DVec3::ZERO, 1.0);
                 self.ahead.push_vertices(outline_a, None);
                 if both {
-                    let centre = scene.shadow_b.centre;
-                    scene.push_surface(&mut self.behind, b, hemisphere, centre, -1.0);
+                    let centre = facing.shadow_b.centre;
+                    facing.push_surface(&mut self.behind, b, hemisphere, centre, -1.0);
                     self.behind.push_vertices(outline_b, None);
                 }
                 if self.config.placement == Placement::Even {
                     let each = f64::from(self.config.rays).sqrt().ceil() as u32;
-                    self.ahead.push_edges(outline_a, &scene.aim, each);
+                    self.ahead.push_edges(outline_a, &facing.aim, each);
                     if both {
-                        self.behind.push_edges(outline_b, &scene.aim, each);
+                        self.behind.push_edges(outline_b, &facing.aim, each);
                     }
                 }
             }
@@ -244,18 +208,18 @@ impl RayCaster {
     }
 
     /// Casts the first rays and finds the shortest, and the shortest from an edge.
-    fn cast_all(&mut self, scene: &Scene<'_>) -> [Option<Shortest>; 2] {
+    fn cast_all(&mut self, facing: &Facing<'_>) -> [Option<Shortest>; 2] {
         let (mut best, mut best_edge) = (None::<Shortest>, None::<Shortest>);
         for behind in [false, true] {
             let starts = if behind { &self.behind } else { &self.ahead };
             if behind {
-                gaps_behind(starts, &scene.shadow_a, &mut self.gaps);
+                gaps_behind(starts, &facing.shadow_a, &mut self.gaps);
             } else {
-                gaps_ahead(starts, &scene.shadow_b, &mut self.gaps);
+                gaps_ahead(starts, &facing.shadow_b, &mut self.gaps);
             }
             for (index, &gap) in self.gaps.iter().enumerate() {
                 // A NaN, a miss, fails the comparison.
-                if gap >= -scene.touch {
+                if gap >= -facing.touch {
                     let origin = starts.origin(index);
                     let found = Shortest {
                         at: DVec2::new(starts.xs[index], starts.ys[index]),
@@ -263,15 +227,15 @@ impl RayCaster {
                         origin,
                         behind,
                     };
-                    if best.is_some_and(|best| best.gap < gap - PREFERENCE * scene.size())
+                    if best.is_some_and(|best| best.gap < gap - PREFERENCE * facing.size())
                         && !matches!(origin, Origin::Edge { .. })
-                        || !scene.is_in_front(behind, found.at.extend(starts.zs[index]))
+                        || !facing.is_in_front(behind, found.at.extend(starts.zs[index]))
                     {
                         continue;
                     }
-                    scene.keep_shorter(&mut best, found);
+                    facing.keep_shorter(&mut best, found);
                     if matches!(origin, Origin::Edge { .. }) {
-                        scene.keep_shorter(&mut best_edge, found);
+                        facing.keep_shorter(&mut best_edge, found);
                     }
                 }
             }
@@ -282,7 +246,7 @@ impl RayCaster {
     /// Sends further rays around the shortest.
     fn refine(
         &self,
-        scene: &Scene<'_>,
+        facing: &Facing<'_>,
         [best, best_edge]: [Option<Shortest>; 2],
         rays: &mut u64,
     ) -> Option<Shortest> {
@@ -300,35 +264,35 @@ impl RayCaster {
         {
             let share = budget / 2;
             budget -= share;
-            if let Some(found) = refine_edge(scene, edge, share, rays) {
+            if let Some(found) = refine_edge(facing, edge, share, rays) {
                 let mut kept = Some(best);
-                scene.keep_shorter(&mut kept, found);
+                facing.keep_shorter(&mut kept, found);
                 best = kept?;
             }
         }
         let radius = 1.0 / f64::from(first).sqrt();
-        let start = (scene.aim.square(best.at), best.gap);
+        let start = (facing.aim.square(best.at), best.gap);
         let (at, gap) = search_area(start, radius, budget, &self.turns, |point| {
             *rays += 1;
-            let point = scene.aim.point(point);
-            let start = scene.shadow_a.depth(Side::Far, point);
-            scene.valid(scene.shadow_b.depth(Side::Near, point) - start)
+            let point = facing.aim.point(point);
+            let start = facing.shadow_a.depth(Side::Far, point);
+            facing.valid(facing.shadow_b.depth(Side::Near, point) - start)
         });
-        if gap < best.gap - scene.rounding() {
+        if gap < best.gap - facing.rounding() {
             best = Shortest {
-                at: scene.aim.point(at),
+                at: facing.aim.point(at),
                 gap,
                 origin: Origin::Area,
                 behind: false,
             };
         }
-        Some(scene.polish(best, rays))
+        Some(facing.polish(best, rays))
     }
 }
 
 /// Sends further rays along an edge, around the shortest from it.
 fn refine_edge(
-    scene: &Scene<'_>,
+    facing: &Facing<'_>,
     start: Shortest,
     budget: u32,
     rays: &mut u64,
@@ -336,14 +300,14 @@ fn refine_edge(
     let Origin::Edge { edge, at, between } = start.origin else {
         return None;
     };
-    let (from, to) = scene.outlines[usize::from(start.behind)].edge(edge)?;
+    let (from, to) = facing.outlines[usize::from(start.behind)].edge(edge)?;
     let (at, gap) = search_edge((at, start.gap), between, budget, |at| {
         *rays += 1;
         let point = from.lerp(to, at);
-        scene.valid(if start.behind {
-            point.z - scene.shadow_a.depth(Side::Far, point.truncate())
+        facing.valid(if start.behind {
+            point.z - facing.shadow_a.depth(Side::Far, point.truncate())
         } else {
-            scene.shadow_b.depth(Side::Near, point.truncate()) - point.z
+            facing.shadow_b.depth(Side::Near, point.truncate()) - point.z
         })
     });
     let origin = Origin::Edge { edge, at, between };
@@ -353,186 +317,6 @@ fn refine_edge(
         origin,
         ..start
     })
-}
-
-/// Two bodies seen along their relative motion.
-struct Scene<'a> {
-    view: View,
-    shadow_a: Shadow<'a>,
-    shadow_b: Shadow<'a>,
-    aim: Aim,
-    outlines: [Outline<'a>; 2],
-    touch: f64,
-    /// Length of the motion.
-    longest: f64,
-}
-
-impl Scene<'_> {
-    /// Starting points on a body's surface, not depending on the other body.
-    fn push_surface(
-        &self,
-        starts: &mut Starts,
-        body: Standing<'_>,
-        hemisphere: &[DVec3],
-        centre: DVec3,
-        side: f64,
-    ) {
-        if let Shape::Sphere(sphere) = body.shape {
-            let turn = crate::sampling::turn_zenith(side * self.view.z);
-            for &point in hemisphere {
-                let point = self.view.coordinates(sphere.radius() * turn(point));
-                starts.push_surface(centre + point);
-            }
-        }
-        let shape_centre = body.shape.centre();
-        for &point in body.points {
-            let point = self
-                .view
-                .coordinates(body.pose.direction(point - shape_centre));
-            starts.push_surface(centre + point);
-        }
-    }
-
-    fn size(&self) -> f64 {
-        self.shadow_a.size + self.shadow_b.size
-    }
-
-    /// Differences of gaps below this are rounding.
-    fn rounding(&self) -> f64 {
-        4.0 * f64::EPSILON * (self.size() + self.shadow_b.centre.z.abs())
-    }
-
-    /// A gap that a ray can have, or NaN.
-    fn valid(&self, gap: f64) -> f64 {
-        if gap >= -self.touch { gap } else { f64::NAN }
-    }
-
-    /// Whether a vertex or a point of an edge, of the second body if `behind`, lies
-    /// on the side of its body that the other comes from.
-    ///
-    /// Rays from the side turned away are longer and do no harm, except where the
-    /// two bodies pass each other in touch: then nothing is in these rays' way.
-    fn is_in_front(&self, behind: bool, point: DVec3) -> bool {
-        let tolerance = PREFERENCE * self.size();
-        // NaN, beside the body by rounding, fails the comparison.
-        let hidden = if behind {
-            point.z - self.shadow_b.depth(Side::Near, point.truncate()) > tolerance
-        } else {
-            self.shadow_a.depth(Side::Far, point.truncate()) - point.z > tolerance
-        };
-        !hidden
-    }
-
-    fn keep_shorter(&self, best: &mut Option<Shortest>, found: Shortest) {
-        let margin = |best: &Shortest| match (best.behind, found.behind) {
-            (false, true) => -PREFERENCE * self.size(),
-            (true, false) => PREFERENCE * self.size(),
-            _ => 0.0,
-        };
-        if best
-            .as_ref()
-            .is_none_or(|best| found.gap < best.gap + margin(best))
-        {
-            *best = Some(found);
-        }
-    }
-
-    /// The ray between a ball and the face of the other body that the shortest
-    /// ray so far leads to, if it is shorter still.
-    ///
-    /// The ball touches that face with the point whose normal opposes it. Where
-    /// the ball nearly slides along the face, this point lies at the rim of its
-    /// shadow, and rays that close in on it from the middle come too slowly.
-    fn polish(&self, mut best: Shortest, rays: &mut u64) -> Shortest {
-        let (ball, behind) = match (self.shadow_a.disc(), self.shadow_b.disc()) {
-            (Some(_), None) => (&self.shadow_a, false),
-            (None, Some(_)) => (&self.shadow_b, true),
-            _ => return best,
-        };
-        // A better ray may lead to the face beside; a few are enough.
-        for _ in 0..4 {
-            let Some((far_a, near_b)) = self.ends(best) else {
-                break;
-            };
-            let (x, y) = (best.at.x, best.at.y);
-            let (normal, _) = if behind {
-                self.shadow_a.surface_at(x, y, far_a, Side::Far)
-            } else {
-                self.shadow_b.surface_at(x, y, near_b, Side::Near)
-            };
-            let start = ball.centre - ball.size * self.view.coordinates(normal);
-            let gap = self.valid(if behind {
-                start.z - self.shadow_a.depth(Side::Far, start.truncate())
-            } else {
-                self.shadow_b.depth(Side::Near, start.truncate()) - start.z
-            });
-            *rays += 1;
-            if gap.is_nan() || gap >= best.gap {
-                break;
-            }
-            best = Shortest {
-                at: start.truncate(),
-                gap,
-                origin: Origin::Area,
-                behind,
-            };
-        }
-        best
-    }
-
-    /// What the shortest ray tells about the touch.
-    fn touch(&self, best: Shortest) -> Option<RayTouch> {
-        let fraction = best.gap.max(0.0) / self.longest;
-        // NaN fails the comparison as well.
-        if fraction <= 1.0 {
-            let (x, y) = (best.at.x, best.at.y);
-            let (far_a, near_b) = self.ends(best)?;
-            let (normal_a, surface_a) = self.shadow_a.surface_at(x, y, far_a, Side::Far);
-            let (normal_b, surface_b) = self.shadow_b.surface_at(x, y, near_b, Side::Near);
-            // Where an edge meets an edge a ray knows no better normal than
-            // the triangle's that it hits, and the second body's is asked for.
-            let on_edges = matches!(best.origin, Origin::Edge { .. })
-                && self.shadow_a.leaves_by_edge(x, y, far_a);
-            let (normal, features) = if best.behind {
-                let normal = if on_edges { normal_b } else { -normal_a };
-                (normal, [surface_a, best.origin.feature(surface_b)])
-            } else {
-                (normal_b, [best.origin.feature(surface_a), surface_b])
-            };
-            let offset = self.view.vector(DVec3::new(x, y, near_b));
-            Some(RayTouch {
-                fraction,
-                offset,
-                normal,
-                features,
-            })
-        } else {
-            None
-        }
-    }
-
-    /// What the shortest ray tells if it runs from edge to edge.
-    fn touch_of_edges(&self, crossing: &Crossing) -> Option<RayTouch> {
-        let fraction = crossing.gap.max(0.0) / self.longest;
-        (fraction <= 1.0).then(|| RayTouch {
-            fraction,
-            offset: self.view.vector(crossing.end),
-            normal: self.view.vector(crossing.normal),
-            features: crossing.edges.map(Feature::Edge),
-        })
-    }
-
-    /// Depths of the ray's two ends.
-    fn ends(&self, best: Shortest) -> Option<(f64, f64)> {
-        let (x, y) = (best.at.x, best.at.y);
-        if best.behind {
-            let (_, far) = self.shadow_a.span(x, y)?;
-            Some((far, far + best.gap))
-        } else {
-            let (near, _) = self.shadow_b.span(x, y)?;
-            Some((near - best.gap, near))
-        }
-    }
 }
 
 /// How many of the rays are not kept for refinement.

@@ -21,8 +21,6 @@ pub(super) struct Crossing {
     pub(super) gap: f64,
     /// The first body's edge and the second's.
     pub(super) edges: [u32; 2],
-    /// Unit normal of both edges, against the motion, in view coordinates.
-    pub(super) normal: DVec3,
 }
 
 /// An edge over the aim, in view coordinates.
@@ -84,12 +82,10 @@ impl Crossings {
                 let gap = end.z - start.z;
                 if gap >= -touch && gap < limit && counts(start, end) {
                     limit = gap;
-                    let normal = a.along.cross(b.along).normalize_or_zero();
                     best = Some(Crossing {
                         end,
                         gap,
                         edges: [a.edge, b.edge],
-                        normal: if normal.z > 0.0 { -normal } else { normal },
                     });
                 }
             }

@@ -7,6 +7,7 @@ mod aim;
 mod caster;
 mod config;
 mod crossings;
+mod facing;
 mod parting;
 mod refine;
 mod shadow;
@@ -14,5 +15,6 @@ mod starts;
 
 pub use config::{Chords, Overlaps, Placement, RayConfig, Refinement, Senders};
 
-pub(crate) use caster::{RayCaster, Standing};
+pub(crate) use caster::RayCaster;
+pub(crate) use facing::Standing;
 pub(crate) use parting::part;

@@ -98,6 +98,9 @@ const WALL: f64 = 1e-12;
 /// counts as touching.
 const GRAZE: f64 = 1e-13;
 
+/// Share of a body's size by which faces may differ in depth and still meet at a ray.
+const MEET: f64 = 1e-9;
+
 impl<'a> Shadow<'a> {
     /// `centre` is the bounding centre in the view's coordinates.
     pub(super) fn new(shape: &'a Shape, pose: &'a Pose, view: View, centre: DVec3) -> Self {
@@ -251,7 +254,7 @@ impl<'a> Shadow<'a> {
         let at = DVec3::new(x, y, depth) - self.centre;
         match (&self.surface, self.shape) {
             (Surface::Facets(facets), _) => {
-                let face = facets.face_at(at.truncate(), side);
+                let face = facets.face_at(at.truncate(), side, MEET * self.size);
                 let normal = match self.shape {
                     Shape::Polytope(polytope) => polytope
                         .face_normals()
@@ -364,18 +367,19 @@ impl Facets {
         (outside <= slack).then_some((near, far))
     }
 
-    /// The face that lies foremost, for the side meant, at a point; the
-    /// lowest-numbered where several meet.
-    fn face_at(&self, at: DVec2, side: Side) -> u32 {
+    /// The face that lies foremost, for the side meant, at a point; where several
+    /// meet to within `close`, the one that faces the rays most.
+    fn face_at(&self, at: DVec2, side: Side, close: f64) -> u32 {
         let (facets, sign) = match side {
             Side::Near => (&self.near, 1.0),
             Side::Far => (&self.far, -1.0),
         };
-        let mut best = (f64::NEG_INFINITY, 0);
+        let depth = |facet: &Facet| sign * facet.at(at);
+        let foremost = facets.iter().map(depth).fold(f64::NEG_INFINITY, f64::max);
+        let mut best = (0.0, 0);
         for facet in facets {
-            let depth = sign * facet.at(at);
-            if depth > best.0 {
-                best = (depth, facet.face);
+            if depth(facet) >= foremost - close && facet.steepness > best.0 {
+                best = (facet.steepness, facet.face);
             }
         }
         best.1
