@@ -26,18 +26,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (energy, momentum) = (table.energy()?, table.momentum()?);
 
     let mut deepest = table.deepest()?;
-    let mut tracks: Vec<_> = table.positions()?.into_iter().map(|at| vec![at]).collect();
     for frame in 1..=1800 {
-        // Looked at every 2 ms, the paths in the picture get their corners right.
-        for part in 1..=16 {
-            table.play_until((f64::from(frame - 1) + f64::from(part) / 16.0) * FRAME)?;
-            deepest = deepest.max(table.deepest()?);
-            if frame <= 12 {
-                for (track, at) in tracks.iter_mut().zip(table.positions()?) {
-                    track.push(at);
-                }
-            }
-        }
+        table.play_until(f64::from(frame) * FRAME)?;
+        deepest = deepest.max(table.deepest()?);
         if frame == 12 {
             println!("The first 0.4 s:");
             table.hits.iter().for_each(report);
@@ -45,10 +36,8 @@ fn main() -> Result<(), Box<dyn Error>> {
             for (ball, at) in table.positions()?.into_iter().enumerate() {
                 println!("  {:7} ({:.6}, {:.6})", name(ball), at.x, at.y);
             }
-            println!(
-                "\nPicture: {}",
-                picture::draw(&tracks, &table.hits)?.display()
-            );
+            let path = picture::draw(&table.tracks()?, &table.hits)?;
+            println!("\nPicture: {}", path.display());
         }
     }
 
@@ -56,16 +45,18 @@ fn main() -> Result<(), Box<dyn Error>> {
     let energy_now = table.energy()?;
     println!("  kinetic energy  {energy:.12} J before, {energy_now:.12} J now");
     let balance = table.momentum()? - table.impulse;
-    println!("  momentum        {:.12} N s before", momentum);
+    println!("  momentum        {momentum:.12} N s before");
     println!("  less cushions'  {balance:.12} N s now");
     println!(
-        "  deepest overlap {:.1e} m at any time looked at",
+        "  deepest overlap {:.1e} m as any frame ends",
         deepest.max(0.0)
     );
+    println!("  every ball is on the table: {}", table.all_on_table()?);
     let lost = (energy_now - energy).abs() / energy;
     let owed = (balance - momentum).length() / (MASS * cue_velocity.length());
     if lost > 1e-9 || owed > 1e-9 || deepest > 1e-9 {
-        return Err(format!("lost {lost:e} of energy, {owed:e} of momentum").into());
+        let what = "of the energy lost, of the momentum owed, m of overlap";
+        return Err(format!("{what}: {lost:e}, {owed:e}, {deepest:e}").into());
     }
 
     step_discretely(cue_velocity)

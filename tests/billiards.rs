@@ -42,6 +42,11 @@ fn breaks_keep_energy_momentum_and_distance() {
             owed.length() < TOLERANCE * MASS * speed,
             "{case}: momentum off by {owed}"
         );
+        assert!(
+            table.all_on_table().unwrap(),
+            "{case}: a ball left the table"
+        );
+        assert!(table.tracks().unwrap().iter().all(|track| track.len() >= 2));
         assert!(deepest < TOLERANCE, "{case}: overlap of {deepest:e} m");
 
         let cushion = |hit: &&table::Hit| matches!(hit.target, Target::Cushion(_));
