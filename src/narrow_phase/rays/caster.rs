@@ -432,8 +432,8 @@ impl Scene<'_> {
             };
             let gap = self.valid(span.map(ahead));
             *rays += 1;
-            // NaN, a miss, fails the comparison.
-            if !(gap < best.gap) {
+            // NaN is a miss.
+            if gap.is_nan() || gap >= best.gap {
                 break;
             }
             best = Shortest {
