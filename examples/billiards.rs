@@ -36,11 +36,8 @@ fn main() -> Result<(), Box<dyn Error>> {
             for (ball, at) in table.positions()?.into_iter().enumerate() {
                 println!("  {:7} ({:.6}, {:.6})", name(ball), at.x, at.y);
             }
-            for ball in 0..table.tracks.len() {
-                table.track(ball)?;
-            }
-            let picture = picture::draw(&table.tracks, &table.hits)?;
-            println!("\nPicture: {}", picture.display());
+            let path = picture::draw(&table.tracks()?, &table.hits)?;
+            println!("\nPicture: {}", path.display());
         }
     }
 
@@ -51,13 +48,15 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("  momentum        {momentum:.12} N s before");
     println!("  less cushions'  {balance:.12} N s now");
     println!(
-        "  deepest overlap {:.1e} m at any time looked at",
+        "  deepest overlap {:.1e} m as any frame ends",
         deepest.max(0.0)
     );
+    println!("  every ball is on the table: {}", table.all_on_table()?);
     let lost = (energy_now - energy).abs() / energy;
     let owed = (balance - momentum).length() / (MASS * cue_velocity.length());
     if lost > 1e-9 || owed > 1e-9 || deepest > 1e-9 {
-        return Err(format!("lost {lost:e} of energy, {owed:e} of momentum").into());
+        let what = "of the energy lost, of the momentum owed, m of overlap";
+        return Err(format!("{what}: {lost:e}, {owed:e}, {deepest:e}").into());
     }
 
     step_discretely(cue_velocity)

@@ -69,7 +69,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 fn drive(terrain: &Terrain, course: &Path) -> Result<Vec<Moment>, Box<dyn Error>> {
     let frames = (course.length() / SPEED / FRAME) as usize;
     let mut moments = Vec::with_capacity(frames + 1);
-    let (mut rays, mut shared, mut worst) = (0, 0, 0.0_f64);
+    let (mut edges, mut vertices, mut misses, mut worst) = (0, 0, 0, 0.0_f64);
     let mut heights = [10.0; 4];
     println!(
         "  time/s    x/m    y/m | wheels' heights/m: fl, fr, rl, rr | pitch/°  roll/° | wheels moved by/mm"
@@ -85,11 +85,16 @@ fn drive(terrain: &Terrain, course: &Path) -> Result<Vec<Moment>, Box<dyn Error>
         let mut moved = 0.0_f64;
         for ((wheel, height), mount) in wheels.iter_mut().zip(&mut heights).zip(WHEELS) {
             let above = (at + mount.x * ahead + mount.y * left).with_z(*height);
-            let ground = terrain
-                .below(above)
-                .ok_or("a ray went through the ground")?;
-            rays += 1;
-            shared += usize::from(ground.triangles > 1);
+            *wheel = above;
+            let Some(ground) = terrain.below(above) else {
+                misses += 1;
+                continue;
+            };
+            match ground.triangles {
+                1 => {}
+                2 => edges += 1,
+                _ => vertices += 1,
+            }
             // Down is positive: what is below, the wheel floats above.
             *height -= ground.distance;
             *wheel = above.with_z(*height);
@@ -113,9 +118,16 @@ fn drive(terrain: &Terrain, course: &Path) -> Result<Vec<Moment>, Box<dyn Error>
         moments.push(Moment { wheels, pose });
     }
     println!(
-        "  {rays} rays, {shared} of them on edges and vertices, none missed; a wheel moved by {:.1} mm in a frame at most",
+        "  {} rays: {edges} on edges, {vertices} on vertices, {misses} missed",
+        4 * moments.len()
+    );
+    println!(
+        "  a wheel moved by {:.1} mm in a frame at most",
         1e3 * worst
     );
+    if misses > 0 {
+        return Err("rays went through the ground".into());
+    }
     Ok(moments)
 }
 

@@ -5,7 +5,7 @@
 #[path = "../examples/billiards/table.rs"]
 mod table;
 
-use feeler::{Body, Cuboid, Method, Motion, Sphere, first_contact};
+use feeler::{Body, Cuboid, Method, Motion, Pose, Sphere, first_contact, overlap};
 use glam::DVec3;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
@@ -43,7 +43,30 @@ fn breaks_keep_energy_momentum_and_distance() {
             owed.length() < TOLERANCE * MASS * speed,
             "{case}: momentum off by {owed}"
         );
+        assert!(
+            table.all_on_table().unwrap(),
+            "{case}: a ball left the table"
+        );
+        assert!(table.tracks().unwrap().iter().all(|track| track.len() >= 2));
         assert!(deepest < TOLERANCE, "{case}: overlap of {deepest:e} m");
+
+        assert!(
+            table
+                .hits
+                .windows(2)
+                .all(|pair| pair[0].time <= pair[1].time),
+            "{case}: out of order"
+        );
+        for hit in &table.hits {
+            assert!(
+                hit.speed > 0.0 && hit.target != Target::Ball(hit.ball),
+                "{case}: {hit:?}"
+            );
+            let [x, y, _] = hit.point.to_array();
+            let inside = (-TOLERANCE..=table::LENGTH + TOLERANCE).contains(&x)
+                && (-TOLERANCE..=table::WIDTH + TOLERANCE).contains(&y);
+            assert!(inside, "{case}: {hit:?}");
+        }
 
         let cushion = |hit: &&table::Hit| matches!(hit.target, Target::Cushion(_));
         let count = table.hits.iter().filter(cushion).count();
@@ -78,4 +101,28 @@ fn a_ball_nearly_along_a_cushion_touches_it_in_time() {
     assert!(error.abs() < 1e-14, "off by {error:e} s");
     let point = start + time * velocity + RADIUS * DVec3::X;
     assert!(contact.point.distance(point) < 1e-12, "{}", contact.point);
+}
+
+/// The control: looked at only as frames end, the cue ball passes the rack and
+/// leaves the table unseen.
+#[test]
+fn discrete_steps_tunnel_through_rack_and_cushion() {
+    let [cue, rest @ ..] = table::rack();
+    let ball = Sphere::new(RADIUS).unwrap().into();
+    let step = DVec3::new(0.4, 0.0, 0.0);
+    for frame in 0..=6 {
+        let at = Pose::at(cue + f64::from(frame) * step);
+        for other in rest {
+            assert_eq!(overlap(&ball, &at, &ball, &Pose::at(other)), None);
+        }
+        for (half_extents, centre) in table::cushions() {
+            let cushion = Cuboid::new(half_extents).unwrap().into();
+            assert_eq!(overlap(&ball, &at, &cushion, &Pose::at(centre)), None);
+        }
+    }
+    assert!((cue + 6.0 * step).x > table::LENGTH + RADIUS);
+
+    let mut table = Table::new(step / 0.1).unwrap();
+    table.play_until(0.6).unwrap();
+    assert!(table.hits.len() > 10 && table.all_on_table().unwrap());
 }

@@ -44,7 +44,7 @@ pub(crate) struct Table {
     pub(crate) impulse: DVec3,
     pub(crate) hits: Vec<Hit>,
     /// Where each ball's way began and where it bounced.
-    pub(crate) tracks: Vec<Vec<DVec3>>,
+    bounces: Vec<Vec<DVec3>>,
 }
 
 /// Where the cue ball starts and the diamond's nine balls lie, each touching its neighbours.
@@ -99,7 +99,7 @@ impl Table {
             cushions: rim,
             impulse: DVec3::ZERO,
             hits: Vec::new(),
-            tracks: rack().map(|start| vec![start]).to_vec(),
+            bounces: rack().map(|start| vec![start]).to_vec(),
         })
     }
 
@@ -150,9 +150,9 @@ impl Table {
                 Target::Cushion(side.ok_or("the ball hit something unknown")?)
             }
         };
-        self.track(ball)?;
+        self.bounces[ball].push(self.world.pose(a)?.position);
         if let Target::Ball(other) = target {
-            self.track(other)?;
+            self.bounces[other].push(self.world.pose(b)?.position);
         }
         self.hits.push(Hit {
             time: contact.time,
@@ -164,11 +164,13 @@ impl Table {
         Ok(())
     }
 
-    /// Adds where a ball is now to its track.
-    pub(crate) fn track(&mut self, ball: usize) -> Result<(), Box<dyn Error>> {
-        let position = self.world.pose(self.balls[ball])?.position;
-        self.tracks[ball].push(position);
-        Ok(())
+    /// Every ball's way so far, from bounce to bounce.
+    pub(crate) fn tracks(&self) -> Result<Vec<Vec<DVec3>>, Box<dyn Error>> {
+        let mut tracks = self.bounces.clone();
+        for (track, position) in tracks.iter_mut().zip(self.positions()?) {
+            track.push(position);
+        }
+        Ok(tracks)
     }
 
     pub(crate) fn positions(&self) -> Result<Vec<DVec3>, Box<dyn Error>> {
@@ -190,6 +192,12 @@ impl Table {
     /// Momentum of all balls, in newton seconds.
     pub(crate) fn momentum(&self) -> Result<DVec3, Box<dyn Error>> {
         Ok(MASS * self.velocities()?.into_iter().sum::<DVec3>())
+    }
+
+    /// Whether every ball lies between the cushions.
+    pub(crate) fn all_on_table(&self) -> Result<bool, Box<dyn Error>> {
+        let on = |at: &DVec3| (0.0..=LENGTH).contains(&at.x) && (0.0..=WIDTH).contains(&at.y);
+        Ok(self.positions()?.iter().all(on))
     }
 
     /// How deep any two balls are in each other, or any ball in a cushion, or

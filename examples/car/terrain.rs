@@ -29,10 +29,10 @@ impl Terrain {
         let mut rng = ChaCha8Rng::seed_from_u64(seed);
         let mut unit = || (rng.next_u64() >> 11) as f64 / (1_u64 << 53) as f64;
         // Waves from 24 m down to 4 m, the shorter the lower.
-        let waves: [_; 6] = std::array::from_fn(|index| {
-            let length = 24.0 / (1.0 + index as f64);
+        let waves = [0, 1, 2, 3, 4, 5].map(|index| {
+            let length = 24.0 / 1.45_f64.powi(index);
             let (across, phase) = (0.8 * (unit() - 0.5), TAU * unit());
-            (0.033 * length, TAU / length, across * TAU / length, phase)
+            (0.025 * length, TAU / length, across * TAU / length, phase)
         });
         let height = |x: f64, y: f64| -> f64 {
             let wave = |&(high, along, across, phase): &(f64, f64, f64, f64)| {
