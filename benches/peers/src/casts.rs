@@ -156,8 +156,8 @@ impl CastSet {
             (start, solids.len())
         });
         // So that a third to two thirds of the casts hit.
-        let thin = |kind: &Kind| matches!(kind, Kind::Point | Kind::Slab | Kind::Triangle);
-        let spread = if kinds.iter().any(thin) { 0.8 } else { 1.15 };
+        let thin = |kind: &Kind| matches!(kind, Kind::Slab | Kind::Triangle);
+        let spread = if kinds.iter().any(thin) { 0.85 } else { 1.15 };
         let reaches: Vec<f64> = solids.iter().map(Solid::reach).collect();
         let casts = (0..count)
             .map(|number| {
