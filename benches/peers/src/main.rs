@@ -27,9 +27,11 @@ use std::time::Instant;
 /// ones are asked less, and the table says how much.
 const PATIENCE: f64 = 0.7;
 
-/// The sets: a title, how large bodies are in metres, and the pairs, each with the
-/// share of the casts that the oracle has time for.
-fn sets() -> Vec<(&'static str, f64, Vec<([Kind; 2], f64)>)> {
+/// A pair, and the share of the casts that the oracle has time for.
+type Pair = ([Kind; 2], f64);
+
+/// The sets: a title, how large bodies are in metres, and the pairs.
+fn sets() -> Vec<(&'static str, f64, Vec<Pair>)> {
     use Kind::{Ball, Box, Hull, Point, Slab, Triangle};
     vec![
         (

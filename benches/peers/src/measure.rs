@@ -68,10 +68,11 @@ pub fn score(
                 let closing = -normal.dot(cast.motion.normalize());
                 score.gap = score.gap.max(error * closing);
                 let off = answer.normal.angle_between(*normal).to_degrees();
-                // Not `off > 1.0`: a normal of length zero is off as well.
-                if !(off <= 1.0)
-                    && !(oracle.separation(cast, answer.normal.normalize(), *fraction) >= -blur)
-                {
+                // A normal of length zero is neither.
+                let right = off <= 1.0;
+                let supports =
+                    oracle.separation(cast, answer.normal.normalize(), *fraction) >= -blur;
+                if !right && !supports {
                     score.normals += 1;
                 }
             }
