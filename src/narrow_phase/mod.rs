@@ -1,4 +1,5 @@
 //! What two bodies do: the methods that find their contact.
 
+pub mod exact;
 pub mod overlap;
 pub mod rays;

@@ -1,0 +1,12 @@
+//! First contact by one ray: the path of the first body's origin against the
+//! Minkowski difference of the two bodies.
+//!
+//! Two bodies that move straight touch when the ray from the origin along their
+//! relative motion enters `B ⊕ (−A)`, and part when it leaves it. Where closed
+//! forms exist they are used; else the portal that the ray enters by is searched
+//! for with support functions, and time, point and normal are computed afresh
+//! from the features that touch.
+
+mod crossing;
+
+pub use crossing::{Crossing, Touching};
