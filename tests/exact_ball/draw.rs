@@ -46,7 +46,7 @@ impl Draw {
 
     /// Evenly distributed by its logarithm.
     pub(crate) fn log(&mut self, low: f64, high: f64) -> f64 {
-        low * (high / low).powf(self.unit())
+        (low.ln() + (high.ln() - low.ln()) * self.unit()).exp()
     }
 
     /// In the cube from −1 to 1.
@@ -115,7 +115,9 @@ impl Draw {
                     let height = if index % 2 == 0 { -ratio } else { ratio };
                     scale * DVec3::new(angle.cos(), angle.sin(), height)
                 });
-                Polytope::from_points(rim.collect::<Vec<_>>()).unwrap().into()
+                Polytope::from_points(rim.collect::<Vec<_>>())
+                    .unwrap()
+                    .into()
             }
             _ => {
                 let mut stretch = DVec3::splat(scale);
@@ -158,7 +160,7 @@ impl Draw {
             }
         }
         let aside = self.direction().cross(direction).normalize_or_zero();
-        let target = self.target(&shape) + 1.3 * self.unit() * ball.radius() * aside;
+        let target = self.target(&shape) + 2.5 * self.unit() * ball.radius() * aside;
         let start = target - distance * direction;
         Cast {
             ball,
