@@ -14,6 +14,9 @@ use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 use std::hint::black_box;
 
+/// A power of two.
+const COUNT: usize = 4096;
+
 fn unit(random: &mut ChaCha8Rng) -> f64 {
     (random.next_u64() >> 11) as f64 / (1_u64 << 53) as f64
 }
@@ -25,7 +28,7 @@ fn cube(random: &mut ChaCha8Rng) -> DVec3 {
 /// Position, orientation, motion; about half of them hit.
 fn casts() -> Vec<(DVec3, DQuat, DVec3)> {
     let mut random = ChaCha8Rng::seed_from_u64(1);
-    (0..4096)
+    (0..COUNT)
         .map(|_| {
             let from = 4.0 * cube(&mut random).normalize();
             let to = 1.2 * cube(&mut random);
@@ -49,7 +52,7 @@ fn exact_ball(criterion: &mut Criterion) {
     group.bench_function("ball–ball", |bencher| {
         let mut next = 0;
         bencher.iter(|| {
-            next = (next + 1) % casts.len();
+            next = (next + 1) & (COUNT - 1);
             let (position, _, motion) = casts[next];
             ball_ball(black_box(0.5), 0.7, -position, motion)
         });
@@ -76,7 +79,7 @@ fn exact_ball(criterion: &mut Criterion) {
         group.bench_function(BenchmarkId::new(name, share), |bencher| {
             let mut next = 0;
             bencher.iter(|| {
-                next = (next + 1) % casts.len();
+                next = (next + 1) & (COUNT - 1);
                 cast(&casts[next])
             });
         });

@@ -59,10 +59,10 @@ pub(super) fn of_polytope(line: &Line, polytope: &Polytope, radius: f64) -> Opti
     };
     let first = cast.first()?;
     let point = cast.line.origin + first.fraction() * line.direction;
-    let enter = middle + cast.polished(&first, line, middle);
+    let enter = cast.polished(&first, line, middle);
     cast.line = cast.line.reversed();
     let leave = match cast.first() {
-        Some(last) => middle - cast.polished(&last, &line.reversed(), -middle),
+        Some(last) => -cast.polished(&last, &line.reversed(), -middle),
         None => enter,
     };
     let (foot, normal, feature) = cast.place(&first, point)?;
@@ -170,25 +170,24 @@ impl Cast<'_> {
         None
     }
 
-    /// The fraction from the coordinates as they were given, which are `middle` before the line's.
+    /// The fraction from the coordinates as they were `given`, `middle` before the line's origin.
     ///
     /// Only a face gains by that: across a wide slab's face the line's shift rounds more than
     /// the height over it does.
     fn polished(&self, first: &First, given: &Line, middle: f64) -> f64 {
-        match first {
-            First::Face { face, fraction } => {
-                let (normal, offset) = self.polytope.face_map().plane(*face);
-                let room = offset + self.radius - normal.dot(given.origin);
-                let polished = room / normal.dot(given.direction) - middle;
-                // A line along the face has no fraction to speak of.
-                let change = (polished - fraction).abs() * given.square.sqrt();
-                if change <= 1e-9 * self.radius.max(self.polytope.max_dist()) {
-                    polished
-                } else {
-                    *fraction
-                }
-            }
-            First::Edge { meeting, .. } => meeting.fraction,
+        let fraction = middle + first.fraction();
+        let First::Face { face, .. } = first else {
+            return fraction;
+        };
+        let (normal, offset) = self.polytope.face_map().plane(*face);
+        let room = offset + self.radius - normal.dot(given.origin);
+        let polished = room / normal.dot(given.direction);
+        // A line along the face has no fraction to speak of.
+        let change = (polished - fraction).abs() * given.square.sqrt();
+        if change <= 1e-9 * self.radius.max(self.polytope.max_dist()) {
+            polished
+        } else {
+            fraction
         }
     }
 
