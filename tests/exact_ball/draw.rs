@@ -147,6 +147,22 @@ impl Draw {
         a + u * (b - a) + v * (1.0 - u) * (c - a)
     }
 
+    /// The furthest of the corners along `direction`, or of all a ball's points.
+    pub(crate) fn summit(shape: &Shape, direction: DVec3) -> DVec3 {
+        let furthest = |corners: &[DVec3]| {
+            let height = |corner: &&DVec3| direction.dot(**corner);
+            *(corners.iter())
+                .max_by(|a, b| height(a).total_cmp(&height(b)))
+                .unwrap()
+        };
+        match shape {
+            Shape::Sphere(ball) => ball.radius() * direction.normalize(),
+            Shape::Cuboid(cuboid) => furthest(&cuboid.vertices()),
+            Shape::Triangle(triangle) => furthest(&triangle.vertices()),
+            Shape::Polytope(polytope) => furthest(polytope.vertices()),
+        }
+    }
+
     /// A cast of a ball at `shape`, aimed at a point about a radius off its surface.
     pub(crate) fn cast(&mut self, shape: Shape, scale: f64, distance: f64) -> Cast {
         let ball = Sphere::new(scale * self.log(0.01, 3.0)).unwrap();

@@ -296,7 +296,10 @@ fn edge_feature(shape: &Shape, from: usize, to: usize) -> Option<Feature> {
         },
         Shape::Triangle(_) => Some(Feature::Edge(if from + to == 2 { 2 } else { from as u32 })),
         Shape::Polytope(polytope) => (polytope.edges().iter())
-            .position(|edge| edge.vertices == [from as u32, to as u32])
+            .position(|edge| {
+                edge.vertices.map(|v| v as usize) == [from.min(to), from.max(to)]
+                    || edge.vertices.map(|v| v as usize) == [from.max(to), from.min(to)]
+            })
             .map(|edge| Feature::Edge(edge as u32)),
     }
 }

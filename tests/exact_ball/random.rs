@@ -111,17 +111,18 @@ fn grazes(count: usize) {
         run(name, count, |index| {
             let shape = draw.shape(kind, 1.0);
             let mut cast = draw.cast(shape.clone(), 1.0, 0.0);
-            // A corner or a point of an edge, passed by at the ball's radius.
-            let corner = cast.orientation * draw.target(&shape);
-            let aside = cast.motion.cross(draw.direction()).normalize_or(DVec3::X);
+            let mut aside = cast.motion.cross(draw.direction()).normalize_or(DVec3::X);
+            if index % 3 == 0 {
+                // Past an edge or a face that lies along an axis.
+                aside = cast.orientation * DVec3::AXES[draw.below(3)];
+                cast.motion = aside.cross(cast.motion);
+            }
             let off = [
-                0.0, 1e-15, -1e-15, 1e-12, -1e-12, 1e-9, -1e-9, 3e-9, -1e-6, -0.1,
-            ][index % 10];
-            let reach = cast.ball.radius() + off * size(&cast);
-            let middle = match shape {
-                Shape::Sphere(other) => (other.radius() + reach) * aside,
-                _ => corner + reach * aside,
-            };
+                0.0, 1e-15, -1e-15, 1e-12, -1e-12, 1e-9, -1e-9, 3e-9, -1e-6, -0.01,
+            ];
+            let reach = cast.ball.radius() + off[index % 10] * size(&cast);
+            let summit = Draw::summit(&shape, cast.orientation.conjugate() * aside);
+            let middle = cast.orientation * summit + reach * aside;
             cast.position = middle - 3.0 * draw.unit() * cast.motion;
             cast
         });
