@@ -354,13 +354,13 @@ fn a_cast_backwards_changes_the_ends() {
         case.motion = -case.motion;
         let other = cast(&case);
         assert_eq!(one.is_some(), other.is_some(), "{case:?}");
-        if let (Some(one), Some(other)) = (one, other) {
-            if one.leave - one.enter.fraction > 1e-3 {
-                assert!(
-                    (one.enter.fraction + other.leave).abs() < 1e-11,
-                    "{case:?} {one:?} {other:?}"
-                );
-            }
+        if let (Some(one), Some(other)) = (one, other)
+            && one.leave - one.enter.fraction > 1e-3
+        {
+            assert!(
+                (one.enter.fraction + other.leave).abs() < 1e-11,
+                "{case:?} {one:?} {other:?}"
+            );
         }
     }
 }
