@@ -1,6 +1,7 @@
 //! Convex polytopes.
 
 mod bounding_sphere;
+mod edge_map;
 mod face_map;
 mod faces;
 mod hull;
@@ -15,6 +16,7 @@ use crate::error::ShapeError;
 use crate::math::domain;
 use crate::tolerance::MAX_LENGTH;
 use bounding_sphere::bounding_sphere;
+use edge_map::EdgeMap;
 use face_map::FaceMap;
 use faces::Faces;
 use glam::DVec3;
@@ -94,6 +96,7 @@ pub struct Polytope {
     rims: Lists,
     support: Support,
     face_map: FaceMap,
+    edge_map: EdgeMap,
     centre: DVec3,
     max_dist: f64,
 }
@@ -215,6 +218,7 @@ impl Polytope {
         let (centre, max_dist) = bounding_sphere(&vertices);
         let mut polytope = Self {
             offsets: faces.offsets(&vertices, &triangles, &support, tolerance),
+            edge_map: EdgeMap::new(vertices.len(), faces.normals.len(), &faces.edges),
             vertices,
             triangles,
             triangle_faces: faces.of_triangle,
@@ -245,6 +249,11 @@ impl Polytope {
     /// The faces by place and neighbourhood.
     pub(crate) fn face_map(&self) -> &FaceMap {
         &self.face_map
+    }
+
+    /// The edges by face and by vertex.
+    pub(crate) fn edge_map(&self) -> &EdgeMap {
+        &self.edge_map
     }
 
     /// The face each triangle is part of.

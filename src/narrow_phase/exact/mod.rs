@@ -7,6 +7,17 @@
 //! for with support functions, and time, point and normal are computed afresh
 //! from the features that touch.
 
+mod ball_approach;
+mod ball_ball;
+mod ball_capsule;
+mod ball_crossing;
+mod ball_cuboid;
+mod ball_line;
+mod ball_polytope;
+mod ball_start;
+mod ball_triangle;
 mod crossing;
 
+pub use ball_ball::ball_ball;
+pub use ball_crossing::ball_crossing;
 pub use crossing::{Crossing, Touching};

@@ -1,0 +1,51 @@
+//! Which edges lie where.
+
+use super::Edge;
+use super::topology::Lists;
+
+/// The edges around each face and each vertex of a polytope.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct EdgeMap {
+    of_faces: Lists,
+    of_vertices: Lists,
+}
+
+impl EdgeMap {
+    pub(super) fn new(vertices: usize, faces: usize, edges: &[Edge]) -> Self {
+        Self {
+            of_faces: gathered(faces, edges, |edge| edge.faces),
+            of_vertices: gathered(vertices, edges, |edge| edge.vertices),
+        }
+    }
+
+    /// The edges around a face, in the order of their numbers.
+    #[inline]
+    pub(crate) fn around_face(&self, face: u32) -> &[u32] {
+        self.of_faces.get(face as usize)
+    }
+
+    /// The edges that end at a vertex; none at one amid a face.
+    #[inline]
+    pub(crate) fn around_vertex(&self, vertex: u32) -> &[u32] {
+        self.of_vertices.get(vertex as usize)
+    }
+}
+
+/// For each of `count` places the edges whose two places it is one of.
+fn gathered(count: usize, edges: &[Edge], places: impl Fn(&Edge) -> [u32; 2]) -> Lists {
+    let mut pairs: Vec<(u32, u32)> = (0..)
+        .zip(edges)
+        .flat_map(|(number, edge)| places(edge).map(|place| (place, number)))
+        .collect();
+    pairs.sort_unstable();
+    let mut lists = Lists::new();
+    let mut next = 0;
+    for place in 0..count as u32 {
+        let first = next;
+        while pairs.get(next).is_some_and(|&(other, _)| other == place) {
+            next += 1;
+        }
+        lists.push(pairs[first..next].iter().map(|&(_, number)| number));
+    }
+    lists
+}

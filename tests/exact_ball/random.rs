@@ -1,0 +1,161 @@
+//! Drawn casts against the oracle.
+
+use crate::check::{Checked, check, size};
+use crate::draw::{Cast, Draw, KINDS};
+use feeler::{Shape, Sphere};
+use glam::DVec3;
+
+/// Checks `count` casts; how many hit, and how many of those had one feature to tell.
+fn run(name: &str, count: usize, mut make: impl FnMut(usize) -> Cast) -> (usize, usize) {
+    let (mut hits, mut unique, mut gap, mut turn) = (0, 0, 0.0_f64, 0.0_f64);
+    for index in 0..count {
+        let Checked {
+            hit,
+            gap: left,
+            turn: turned,
+            unique: one,
+        } = check(&make(index));
+        hits += usize::from(hit);
+        unique += usize::from(one);
+        (gap, turn) = (gap.max(left), turn.max(turned));
+    }
+    println!("{name}: {hits} hits, {unique} features of {count}; gap {gap:.1e}, normal {turn:.1e}");
+    assert!(
+        (count * 3 / 10..=count * 98 / 100).contains(&hits),
+        "{name}: inputs are lopsided: {hits} hits of {count}"
+    );
+    (hits, unique)
+}
+
+fn casts(share: usize) {
+    for (kind, name) in KINDS.into_iter().enumerate() {
+        let mut draw = Draw::new(kind as u64);
+        let count = share / if kind < 6 { 1 } else { 2 };
+        let mut shape = (draw.shape(kind, 1.0), 1.0);
+        let (hits, unique) = run(name, count, |index| {
+            if index % 16 == 0 {
+                let scale = draw.log(1e-3, 1e3);
+                shape = (draw.shape(kind, scale), scale);
+            }
+            let distance = shape.1 * 10.0 * (draw.unit() - 0.2);
+            draw.cast(shape.0.clone(), shape.1, distance)
+        });
+        assert!(
+            10 * unique >= 7 * hits,
+            "{name}: {unique} features of {hits} hits"
+        );
+    }
+}
+
+#[test]
+fn drawn_casts_agree_with_the_oracle() {
+    casts(2_000);
+}
+
+/// Some minutes, in release.
+#[test]
+#[ignore = "long"]
+fn a_million_casts_agree_with_the_oracle() {
+    casts(125_000);
+}
+
+fn hulls(casts: usize) {
+    for count in [4, 12, 100, 1000] {
+        let mut draw = Draw::new(count as u64);
+        let casts = (casts / count).max(30);
+        let mut shape: Option<Shape> = None;
+        run(&format!("hull of {count}"), casts, |index| {
+            if index % 32 == 0 {
+                shape = None;
+            }
+            let shape = shape.get_or_insert_with(|| {
+                let stretch = DVec3::splat(0.2) + draw.cube().abs();
+                draw.hull(count, stretch).into()
+            });
+            draw.cast(shape.clone(), 1.0, 3.0)
+        });
+    }
+}
+
+#[test]
+fn hulls_of_all_sizes_agree_with_the_oracle() {
+    hulls(10_000);
+}
+
+/// A minute, in release.
+#[test]
+#[ignore = "long"]
+fn many_hulls_agree_with_the_oracle() {
+    hulls(1_000_000);
+}
+
+/// Ten kilometres away the coordinates are coarser; nothing worse may come of it.
+#[test]
+fn casts_from_afar_agree_with_the_oracle() {
+    for (kind, name) in KINDS.into_iter().enumerate() {
+        let mut draw = Draw::new(100 + kind as u64);
+        run(name, 300, |_| {
+            let shape = draw.shape(kind, 1.0);
+            let mut cast = draw.cast(shape, 1.0, 0.0);
+            cast.motion = 2e4 * cast.motion.normalize();
+            cast.position -= 0.5 * cast.motion;
+            cast
+        });
+    }
+}
+
+/// Lines aimed to touch and no more, a little nearer and a little further off.
+fn grazes(count: usize) {
+    for (kind, name) in KINDS.into_iter().enumerate() {
+        let mut draw = Draw::new(200 + kind as u64);
+        run(name, count, |index| {
+            let shape = draw.shape(kind, 1.0);
+            let mut cast = draw.cast(shape.clone(), 1.0, 0.0);
+            let mut aside = cast.motion.cross(draw.direction()).normalize_or(DVec3::X);
+            if index % 3 == 0 {
+                // Past an edge or a face that lies along an axis.
+                aside = cast.orientation * DVec3::AXES[draw.below(3)];
+                cast.motion = aside.cross(cast.motion);
+            }
+            let off = [
+                0.0, 1e-15, -1e-15, 1e-12, -1e-12, 1e-9, -1e-9, 3e-9, -1e-6, -0.01,
+            ];
+            let reach = cast.ball.radius() + off[index % 10] * size(&cast);
+            let summit = Draw::summit(&shape, cast.orientation.conjugate() * aside);
+            let middle = cast.orientation * summit + reach * aside;
+            cast.position = middle - 3.0 * draw.unit() * cast.motion;
+            cast
+        });
+    }
+}
+
+#[test]
+fn grazes_agree_with_the_oracle() {
+    grazes(300);
+}
+
+/// Half a minute, in release.
+#[test]
+#[ignore = "long"]
+fn many_grazes_agree_with_the_oracle() {
+    grazes(20_000);
+}
+
+/// Balls of a thousandth of the shape and a thousand times as large.
+#[test]
+fn balls_of_any_size_agree_with_the_oracle() {
+    for (kind, name) in KINDS.into_iter().enumerate() {
+        let mut draw = Draw::new(300 + kind as u64);
+        run(name, 300, |_| {
+            let shape = draw.shape(kind, 1.0);
+            let mut cast = draw.cast(shape.clone(), 1.0, 0.0);
+            let radius = draw.log(1e-3, 1e3);
+            cast.ball = Sphere::new(radius).unwrap();
+            let aside = cast.motion.cross(draw.direction()).normalize_or(DVec3::X);
+            let target = cast.orientation * draw.target(&shape);
+            cast.position = target + 1.5 * draw.unit() * radius * aside;
+            cast.position -= radius * cast.motion.normalize();
+            cast
+        });
+    }
+}
