@@ -7,6 +7,16 @@
 //! for with support functions, and time, point and normal are computed afresh
 //! from the features that touch.
 
+mod body;
+mod boxes;
 mod crossing;
+mod edges;
+mod faces;
+mod flat;
+mod pair;
+mod portal;
+mod slab;
+mod snap;
 
 pub use crossing::{Crossing, Touching};
+pub use flat::flat_crossing;
