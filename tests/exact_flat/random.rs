@@ -65,7 +65,7 @@ pub fn hunt(seed: u64, pairs: usize, casts: usize) {
             hits += usize::from(found.is_some());
             if let Some(complaint) = oracle.complaint(found.as_ref()) {
                 wrong += 1;
-                if wrong <= 12 {
+                if wrong <= 5 {
                     println!(
                         "{complaint}\n  {:?}\n  {turn_a:?}\n  {:?}\n  {turn_b:?}\n  between {between:?} motion {motion:?}\n  {found:?}\n oracle {} {} size {}",
                         a.shape_name(),

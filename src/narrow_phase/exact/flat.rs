@@ -2,8 +2,8 @@
 
 use super::crossing::{Crossing, Touching};
 use super::pair::Pair;
-use super::portal::{Found, Shadow};
-use super::snap::{Place, Touch};
+use super::portal::{Found, Portal, Shadow};
+use super::snap::{Place, STEEP, Touch};
 use super::{boxes, faces};
 use crate::geometry::Shape;
 use glam::{DQuat, DVec3};
@@ -133,17 +133,7 @@ fn cross(pair: &Pair) -> Option<(Touch, f64)> {
                 Found::Yes(probes) => {
                     let ends = (shadow.refine(probes, -1.0), shadow.refine(probes, 1.0));
                     if let (Some(enter), Some(leave)) = ends {
-                        let touch = pair.touch(
-                            enter.normal,
-                            [
-                                enter.vertices,
-                                enter.probes[0].vertices,
-                                enter.probes[1].vertices,
-                                enter.probes[2].vertices,
-                            ],
-                        );
-                        let speed = leave.normal.dot(pair.motion);
-                        return Some((touch, pair.height(leave.normal, leave.vertices) / speed));
+                        return Some(through(pair, &enter, &leave));
                     }
                     faces::normals(pair)?
                 }
@@ -161,6 +151,21 @@ fn cross(pair: &Pair) -> Option<(Touch, f64)> {
     } else {
         leave
     };
-    let touch = pair.touch(enter, [pair.supports(enter)]);
+    let touch = pair.touch(enter, pair.time(enter), [pair.supports(enter)]);
     Some((touch, pair.time(leave)))
+}
+
+/// The touch, and the time of parting, from where the ray goes through.
+fn through(pair: &Pair, enter: &Portal, leave: &Portal) -> (Touch, f64) {
+    let length = pair.motion.length();
+    let time = |portal: &Portal| pair.nearest_distance + portal.distance / length;
+    let [p, q, r] = enter.probes.map(|probe| probe.vertices);
+    let touch = pair.touch(enter.normal, time(enter), [enter.vertices, p, q, r]);
+    let speed = leave.normal.dot(pair.motion);
+    let leave = if speed > STEEP {
+        pair.height(leave.normal, leave.vertices) / speed
+    } else {
+        time(leave)
+    };
+    (touch, leave)
 }

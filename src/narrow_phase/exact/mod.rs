@@ -14,6 +14,7 @@ mod edges;
 mod faces;
 mod flat;
 mod pair;
+mod patch;
 mod portal;
 mod slab;
 mod snap;

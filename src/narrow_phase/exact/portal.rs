@@ -33,6 +33,8 @@ pub(super) struct Probe {
 /// Where the ray enters or leaves: three points around it, and the normal of their plane.
 pub(super) struct Portal {
     pub(super) probes: [Probe; 3],
+    /// Where the ray meets it, in metres from the middle.
+    pub(super) distance: f64,
     /// Unit vector along the world's axes, out of the difference.
     pub(super) normal: DVec3,
     /// Farthest vertices of A against the normal and of B along it.
@@ -178,6 +180,7 @@ impl<'a> Shadow<'a> {
                     return None;
                 }
                 return Some(Portal {
+                    distance: depth(&probes),
                     probes,
                     normal: self.frame * (normal / length),
                     vertices: new.vertices,
@@ -205,4 +208,12 @@ impl<'a> Shadow<'a> {
         }
         None
     }
+}
+
+/// Where the ray goes through the triangle of three points around it.
+fn depth(probes: &[Probe; 3]) -> f64 {
+    let [p, q, r] = probes.map(|probe| probe.point);
+    let shares = [(q, r), (r, p), (p, q)].map(|(u, v)| u.xy().perp_dot(v.xy()).max(0.0));
+    let whole: f64 = shares.iter().sum();
+    (shares[0] * p.z + shares[1] * q.z + shares[2] * r.z) / whole
 }

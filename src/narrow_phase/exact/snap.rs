@@ -4,9 +4,9 @@
 use super::body::Body;
 use super::edges::edge_normal;
 use super::pair::Pair;
+use super::patch;
 use crate::geometry::{Feature, Polytope, Shape};
 use crate::math::frame::orthonormal;
-use crate::narrow_phase::overlap::witness;
 use glam::{DVec2, DVec3};
 
 /// Share of a body's radius within which vertices lie in one feature.
@@ -15,6 +15,10 @@ use glam::{DVec2, DVec3};
 /// room for shapes whose own numbers were rounded. Larger, and an edge
 /// turned by a hair from a face is taken for part of it.
 const FEATURE: f64 = 1e-12;
+
+/// Speed towards a plane, as a share of the largest component of the motion, below which its
+/// time is not trusted to be early.
+pub(super) const STEEP: f64 = 0.1;
 
 /// Up to this many vertices are all looked at; of more, only those around the farthest.
 const FEW: usize = 24;
@@ -77,21 +81,30 @@ impl Corners {
 }
 
 impl Pair<'_> {
-    /// The touch whose normal, but for rounding, is `near`; the `known` vertices of A and
-    /// B touch, the first of them lie farthest along it.
-    pub(super) fn touch<const N: usize>(&self, near: DVec3, known: [[u32; 2]; N]) -> Touch {
+    /// The touch whose normal and time are right but for rounding; the `known` vertices of A and
+    /// B touch, the first of them lie farthest along the normal.
+    pub(super) fn touch<const N: usize>(
+        &self,
+        near: DVec3,
+        near_time: f64,
+        known: [[u32; 2]; N],
+    ) -> Touch {
         let summit_a = summit(&self.a, -near, known.map(|[a, _]| a));
         let summit_b = summit(&self.b, near, known.map(|[_, b]| b));
-        let vertices = [summit_a.corners.few[0], summit_b.corners.few[0]];
         let features = [summit_a.feature, summit_b.feature];
-        let near_time = self.height(near, vertices) / near.dot(self.motion);
         let (mut normal, mut time) = (near, near_time);
         if let Some(sharp) = self.normal_of(features, near) {
-            let speed = sharp.dot(self.motion);
-            let sharp_time = self.reach(sharp, &summit_a, &summit_b) / speed;
+            let (speed, sharp_speed) = (near.dot(self.motion), sharp.dot(self.motion));
+            let sharp_time = self.reach(sharp, &summit_a, &summit_b) / sharp_speed;
+            let moved = sharp_time - near_time;
             // Features found a hair off the ray must not move it.
-            if ((sharp_time - near_time) * speed).abs() <= self.doubt() {
-                (normal, time) = (sharp, sharp_time);
+            if (moved * speed).abs().max((moved * sharp_speed).abs()) <= self.doubt() {
+                normal = sharp;
+                // Of what is nearly along the motion rounding makes long times, and to be
+                // early there may leave a gap to what is not.
+                if sharp_speed.abs() > STEEP || moved > 0.0 {
+                    time = sharp_time;
+                }
             }
         }
         let point = self.point(normal, time, &summit_a, &summit_b);
@@ -142,26 +155,49 @@ impl Pair<'_> {
 
     fn point(&self, normal: DVec3, time: f64, a: &Summit, b: &Summit) -> Place {
         let ([a0, ..], [b0, ..]) = (a.corners.few, b.corners.few);
+        let to_a = self.nearest + (time - self.nearest_distance) * self.motion;
         if let Feature::Vertex(_) = b.feature {
-            return Place::OnB(self.b.vertex(b0));
-        }
-        if let Feature::Vertex(_) = a.feature {
-            return Place::OnA(self.a.vertex(a0));
+            let point = self.b.vertex(b0);
+            if within(&self.a, a, -normal, point - to_a, self.size) {
+                return Place::OnB(point);
+            }
+        } else if let Feature::Vertex(_) = a.feature {
+            let point = self.a.vertex(a0);
+            if within(&self.b, b, normal, point + to_a, self.size) {
+                return Place::OnA(point);
+            }
         }
         // Seen from B's vertex: what is far away is rounded.
         let origin = self.b.vertex(b0);
-        let to_a = (self.nearest + (time - self.nearest_distance) * self.motion) - origin;
+        let to_a = to_a - origin;
         let (x, y) = orthonormal(normal);
         let flat = |body: &Body, summit: &Summit, shift: DVec3| -> Vec<DVec2> {
             let points = summit.corners.list().iter().map(|&vertex| {
                 let point = body.vertex(vertex) + shift;
                 DVec2::new(point.dot(x), point.dot(y))
             });
-            witness::around(points.collect())
+            patch::around(points.collect())
         };
-        let shared = witness::middle(&flat(&self.a, a, to_a), &flat(&self.b, b, -origin));
+        let shared = patch::middle(
+            &flat(&self.a, a, to_a),
+            &flat(&self.b, b, -origin),
+            self.size,
+        );
         Place::OnB(origin + (shared.x * x + shared.y * y))
     }
+}
+
+/// Whether a point known to lie level with a triangle, seen along its normal, lies in it; only
+/// triangles are looked at.
+fn within(body: &Body, summit: &Summit, normal: DVec3, point: DVec3, size: f64) -> bool {
+    let &[a, b, c] = summit.corners.list() else {
+        return false;
+    };
+    let [a, b, c] = [a, b, c].map(|vertex| body.vertex(vertex) - point);
+    let [ab, bc, ca] = [(a, b), (b, c), (c, a)].map(|(p, q)| normal.dot(p.cross(q)));
+    let slack = 16.0 * f64::EPSILON * size * size;
+    let (least, most) = (ab.min(bc).min(ca), ab.max(bc).max(ca));
+    least >= -slack || most <= slack
 }
 
 /// What lies farthest along a direction of the world; `known` are some of its vertices.
