@@ -6,23 +6,23 @@ use glam::{DQuat, DVec3};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::Rng;
 
-pub fn unit(rng: &mut ChaCha8Rng) -> f64 {
+pub(crate) fn unit(rng: &mut ChaCha8Rng) -> f64 {
     (rng.next_u64() >> 11) as f64 / (1_u64 << 53) as f64
 }
 
-pub fn signed(rng: &mut ChaCha8Rng) -> f64 {
+pub(crate) fn signed(rng: &mut ChaCha8Rng) -> f64 {
     2.0 * unit(rng) - 1.0
 }
 
-pub fn index(rng: &mut ChaCha8Rng, count: usize) -> usize {
+pub(crate) fn index(rng: &mut ChaCha8Rng, count: usize) -> usize {
     (unit(rng) * count as f64) as usize
 }
 
-pub fn log(rng: &mut ChaCha8Rng, from: f64, to: f64) -> f64 {
+pub(crate) fn log(rng: &mut ChaCha8Rng, from: f64, to: f64) -> f64 {
     from * (to / from).powf(unit(rng))
 }
 
-pub fn direction(rng: &mut ChaCha8Rng) -> DVec3 {
+pub(crate) fn direction(rng: &mut ChaCha8Rng) -> DVec3 {
     loop {
         let v = DVec3::new(signed(rng), signed(rng), signed(rng));
         if (0.1..1.0).contains(&v.length()) {
@@ -31,7 +31,7 @@ pub fn direction(rng: &mut ChaCha8Rng) -> DVec3 {
     }
 }
 
-pub fn turn(rng: &mut ChaCha8Rng) -> DQuat {
+pub(crate) fn turn(rng: &mut ChaCha8Rng) -> DQuat {
     match index(rng, 8) {
         0..2 => DQuat::IDENTITY,
         2 => DQuat::from_rotation_z(std::f64::consts::FRAC_PI_2),
@@ -42,12 +42,12 @@ pub fn turn(rng: &mut ChaCha8Rng) -> DQuat {
 
 /// A body both ways.
 #[derive(Clone)]
-pub struct Body {
-    pub shape: Shape,
-    pub hull: Hull,
+pub(crate) struct Body {
+    pub(crate) shape: Shape,
+    pub(crate) hull: Hull,
 }
 
-pub fn cuboid(half: DVec3) -> Body {
+pub(crate) fn cuboid(half: DVec3) -> Body {
     let cuboid = Cuboid::new(half).unwrap();
     Body {
         shape: cuboid.into(),
@@ -55,7 +55,7 @@ pub fn cuboid(half: DVec3) -> Body {
     }
 }
 
-pub fn triangle(corners: [DVec3; 3]) -> Body {
+pub(crate) fn triangle(corners: [DVec3; 3]) -> Body {
     let [a, b, c] = corners;
     Body {
         shape: Triangle::new(a, b, c).unwrap().into(),
@@ -63,7 +63,7 @@ pub fn triangle(corners: [DVec3; 3]) -> Body {
     }
 }
 
-pub fn polytope(points: &[DVec3]) -> Body {
+pub(crate) fn polytope(points: &[DVec3]) -> Body {
     let polytope = Polytope::from_points(points.iter().copied()).unwrap();
     let hull = Hull::new(polytope.vertices());
     Body {
@@ -77,7 +77,7 @@ fn sphere_points(rng: &mut ChaCha8Rng, count: usize) -> Vec<DVec3> {
 }
 
 /// Bodies of all sorts, of sizes 0.05 to 3 m times `scale`.
-pub fn random(rng: &mut ChaCha8Rng, scale: f64) -> Body {
+pub(crate) fn random(rng: &mut ChaCha8Rng, scale: f64) -> Body {
     let size = scale * log(rng, 0.05, 3.0);
     match index(rng, 12) {
         0 => cuboid(DVec3::splat(0.5 * size)),

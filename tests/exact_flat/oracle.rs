@@ -6,15 +6,15 @@ use glam::{DQuat, DVec3};
 
 /// A convex body as its corners, and all directions that may be normals or edges of it.
 #[derive(Clone)]
-pub struct Hull {
-    pub points: Vec<DVec3>,
-    pub normals: Vec<DVec3>,
-    pub edges: Vec<DVec3>,
+pub(crate) struct Hull {
+    pub(crate) points: Vec<DVec3>,
+    pub(crate) normals: Vec<DVec3>,
+    pub(crate) edges: Vec<DVec3>,
 }
 
 impl Hull {
     /// Tries every triple of points: a face has all the others on one side.
-    pub fn new(points: &[DVec3]) -> Self {
+    pub(crate) fn new(points: &[DVec3]) -> Self {
         let size = points
             .iter()
             .map(|p| p.distance(points[0]))
@@ -83,6 +83,9 @@ impl Hull {
     }
 }
 
+/// Share of the size within which two things count as touching nearly at once.
+const NEAR: f64 = 1e-8;
+
 struct Axis {
     normal: DVec3,
     /// How far outside A's centre is as the motion begins.
@@ -91,19 +94,19 @@ struct Axis {
 }
 
 /// A cast of two hulls, as half-spaces.
-pub struct Oracle {
+pub(crate) struct Oracle {
     axes: Vec<Axis>,
     a: (Hull, DQuat),
     b: (Hull, DQuat),
     between: DVec3,
     motion: DVec3,
-    pub size: f64,
-    pub enter: f64,
-    pub leave: f64,
+    pub(crate) size: f64,
+    pub(crate) enter: f64,
+    pub(crate) leave: f64,
 }
 
 impl Oracle {
-    pub fn new(a: (&Hull, DQuat), b: (&Hull, DQuat), between: DVec3, motion: DVec3) -> Self {
+    pub(crate) fn new(a: (&Hull, DQuat), b: (&Hull, DQuat), between: DVec3, motion: DVec3) -> Self {
         let turned = |(hull, turn): (&Hull, DQuat), list: &[DVec3]| -> Vec<DVec3> {
             let _ = hull;
             list.iter().map(|&v| turn * v).collect()
@@ -180,7 +183,7 @@ impl Oracle {
     }
 
     /// How far apart the bodies are at a time, negative if they overlap.
-    pub fn apart(&self, time: f64) -> f64 {
+    pub(crate) fn apart(&self, time: f64) -> f64 {
         self.axes
             .iter()
             .map(|axis| axis.outside + time * axis.speed)
@@ -188,7 +191,7 @@ impl Oracle {
     }
 
     /// The depth of the crossing; negative by how much they miss.
-    pub fn depth(&self) -> f64 {
+    pub(crate) fn depth(&self) -> f64 {
         // The distance is convex in time.
         let reach = 3.0 * (self.size + self.between.length()) / self.motion.length();
         let (mut low, mut high) = (-reach, reach);
@@ -204,7 +207,7 @@ impl Oracle {
     }
 
     /// What is wrong with an answer.
-    pub fn complaint(&self, found: Option<&Crossing>) -> Option<String> {
+    pub(crate) fn complaint(&self, found: Option<&Crossing>) -> Option<String> {
         let Some(found) = found else {
             let depth = self.depth();
             return (depth > 1e-9 * self.size).then(|| format!("missed: depth {depth:e}"));
@@ -254,6 +257,7 @@ impl Oracle {
             return Some(format!("normal parts by {:e}", bottom - top));
         }
         // The point lies in both bodies.
+        let mut outside: f64 = 0.0;
         for (hull, turn, position) in [
             (&self.a.0, self.a.1, at),
             (&self.b.0, self.b.1, DVec3::ZERO),
@@ -266,23 +270,33 @@ impl Oracle {
                     .map(|p| n.dot(*p))
                     .fold(f64::NEG_INFINITY, f64::max);
                 let out = n.dot(local) - reach;
-                if out > 20.0 * exact {
-                    return Some(format!("point {out:e} outside"));
-                }
+                outside = outside.max(out);
             }
         }
-        self.unique(found, bottom, &a, &b)
+        if outside > 1e-9 * self.size {
+            return Some(format!("point {outside:e} outside"));
+        }
+        self.unique(found, bottom, &a, &b).or_else(|| {
+            (self.is_unique(found) && outside > 20.0 * exact)
+                .then(|| format!("point {outside:e} outside"))
+        })
+    }
+
+    /// Whether no other normal would do, or nearly do.
+    fn is_unique(&self, found: &Crossing) -> bool {
+        let enter = found.enter;
+        self.axes.iter().all(|axis| {
+            let outside = axis.outside + enter.fraction * axis.speed;
+            outside.abs() > NEAR * self.size || axis.normal.cross(enter.normal).length() <= 1e-7
+        })
     }
 
     /// Normal and features where only one will do.
     fn unique(&self, found: &Crossing, level: f64, a: &[DVec3], b: &[DVec3]) -> Option<String> {
         let enter = found.enter;
-        let near = 1e-8 * self.size;
-        for axis in &self.axes {
-            let outside = axis.outside + enter.fraction * axis.speed;
-            if outside.abs() <= near && axis.normal.cross(enter.normal).length() > 1e-7 {
-                return None;
-            }
+        let near = NEAR * self.size;
+        if !self.is_unique(found) {
+            return None;
         }
         let normal = (self.axes.iter().map(|axis| axis.normal))
             .max_by(|m, n| m.dot(enter.normal).total_cmp(&n.dot(enter.normal)))?;
@@ -294,7 +308,7 @@ impl Oracle {
                 .iter()
                 .map(|p| (enter.normal.dot(*p) - level).abs())
                 .collect();
-            let on = heights.iter().filter(|&&h| h < 1e-13 * self.size).count();
+            let on = heights.iter().filter(|&&h| h < 4e-15 * self.size).count();
             let nearly = heights.iter().filter(|&&h| h < near).count();
             if on != nearly {
                 return None;

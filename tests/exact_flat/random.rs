@@ -40,7 +40,7 @@ fn cast(rng: &mut ChaCha8Rng, a: (&Body, DQuat), b: (&Body, DQuat)) -> (DVec3, D
     (through + aside - size * 4.0 * unit(rng) * along, motion)
 }
 
-pub fn hunt(seed: u64, pairs: usize, casts: usize) {
+pub(crate) fn hunt(seed: u64, pairs: usize, casts: usize) {
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
     let (mut hits, mut total, mut wrong) = (0, 0, 0);
     for _ in 0..pairs {

@@ -1,7 +1,7 @@
 //! Two boxes: fifteen slabs.
 
 use super::edges::edge_normal;
-use super::pair::Pair;
+use super::pair::{Ends, Pair};
 use super::slab::Slabs;
 use crate::geometry::Cuboid;
 use glam::{DMat3, DVec3};
@@ -21,11 +21,11 @@ enum Axis {
     Edges(usize, usize),
 }
 
-/// The unit normals by which two boxes enter and leave each other, each up to its sign.
+/// How two boxes enter and leave each other.
 ///
 /// Source: Gottschalk, Lin & Manocha, *OBBTree* (1996), for the fifteen axes;
 /// swept as a ray is clipped by slabs.
-pub(super) fn normals(pair: &Pair, a: &Cuboid, b: &Cuboid) -> Option<[DVec3; 2]> {
+pub(super) fn ends(pair: &Pair, a: &Cuboid, b: &Cuboid) -> Option<Ends> {
     let (axes_a, axes_b) = (pair.a.rotation, pair.b.rotation);
     let (half_a, half_b) = (a.half_extents(), b.half_extents());
     let to_a = axes_a.transpose();
@@ -81,7 +81,9 @@ pub(super) fn normals(pair: &Pair, a: &Cuboid, b: &Cuboid) -> Option<[DVec3; 2]>
         Axis::B(j) => Some(axes_b.col(j)),
         Axis::Edges(i, j) => edge_normal(axes_a.col(i), axes_b.col(j)),
     };
-    Some([normal(slabs.enter_by?)?, normal(slabs.leave_by?)?])
+    let enter = (normal(slabs.enter_by?)?, slabs.enter);
+    let leave = (normal(slabs.leave_by?)?, slabs.leave);
+    Some(Ends::new(pair, enter, leave))
 }
 
 /// An axis of two nearly parallel edges, measured along its unit vector.

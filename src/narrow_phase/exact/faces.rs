@@ -7,7 +7,7 @@
 
 use super::body::Body;
 use super::edges::edge_normal;
-use super::pair::Pair;
+use super::pair::{Ends, Pair};
 use super::slab::Slabs;
 use glam::DVec3;
 
@@ -18,11 +18,11 @@ const CROSSING: f64 = 1e-12;
 /// Pairs of edges up to which all are tried, crossing or not: cheaper than the test.
 const FEW: usize = 40;
 
-/// The unit normals by which two bodies enter and leave each other.
+/// How two bodies enter and leave each other.
 ///
 /// Right for flat differences too. O((f + c) · s + e²) for f faces, e edges, c
 /// faces spanned by edges, and s for a support.
-pub(super) fn normals(pair: &Pair) -> Option<[DVec3; 2]> {
+pub(super) fn ends(pair: &Pair) -> Option<Ends> {
     let mut slabs = Slabs::new();
     for (body, sign) in [(&pair.a, -1.0), (&pair.b, 1.0)] {
         for face in 0..body.face_count() {
@@ -56,7 +56,9 @@ pub(super) fn normals(pair: &Pair) -> Option<[DVec3; 2]> {
     if slabs.miss() {
         return None;
     }
-    Some([slabs.enter_by?, slabs.leave_by?])
+    let enter = (slabs.enter_by?, slabs.enter);
+    let leave = (slabs.leave_by?, slabs.leave);
+    Some(Ends::new(pair, enter, leave))
 }
 
 /// Measures the plane across a direction.

@@ -1,9 +1,9 @@
 //! Straight casts between shapes with flat faces.
 
 use super::crossing::{Crossing, Touching};
-use super::pair::Pair;
+use super::pair::{Ends, Pair, STEEP};
 use super::portal::{Found, Portal, Shadow};
-use super::snap::{Place, STEEP, Touch};
+use super::snap::{Place, Touch};
 use super::{boxes, faces};
 use crate::geometry::Shape;
 use glam::{DQuat, DVec3};
@@ -91,6 +91,7 @@ pub fn flat_crossing(
         mut normal,
         mut features,
         point,
+        certain: _,
     } = touch;
     // From the centre of one of the pair's bodies to the position of B.
     let (of_b, offset) = match point {
@@ -123,49 +124,45 @@ fn cross(pair: &Pair) -> Option<(Touch, f64)> {
     if pair.spheres_miss() {
         return None;
     }
-    let [enter, leave] = match (pair.a.shape, pair.b.shape) {
-        (Shape::Cuboid(a), Shape::Cuboid(b)) => boxes::normals(pair, a, b)?,
-        (Shape::Polytope(_), _) | (_, Shape::Polytope(_)) => {
-            let mut shadow = Shadow::new(pair)?;
-            match shadow.enclose() {
-                Found::Miss => return None,
-                Found::Unclear => faces::normals(pair)?,
-                Found::Yes(probes) => {
-                    let ends = (shadow.refine(probes, -1.0), shadow.refine(probes, 1.0));
-                    if let (Some(enter), Some(leave)) = ends {
-                        return Some(through(pair, &enter, &leave));
-                    }
-                    faces::normals(pair)?
-                }
-            }
-        }
-        _ => faces::normals(pair)?,
+    let Ends { enter, leave } = match (pair.a.shape, pair.b.shape) {
+        (Shape::Cuboid(a), Shape::Cuboid(b)) => boxes::ends(pair, a, b)?,
+        (Shape::Polytope(_), _) | (_, Shape::Polytope(_)) => match by_portals(pair) {
+            Found::Miss => return None,
+            Found::Yes(found) => return Some(found),
+            Found::Unclear => faces::ends(pair)?,
+        },
+        _ => faces::ends(pair)?,
     };
-    let enter = if enter.dot(pair.motion) > 0.0 {
-        -enter
-    } else {
-        enter
-    };
-    let leave = if leave.dot(pair.motion) < 0.0 {
-        -leave
-    } else {
-        leave
-    };
-    let touch = pair.touch(enter, pair.time(enter), [pair.supports(enter)]);
-    Some((touch, pair.time(leave)))
+    let (normal, time) = enter;
+    let touch = pair.touch(normal, pair.time(normal, time), [pair.supports(normal)]);
+    Some((touch, pair.time(leave.0, leave.1)))
 }
 
-/// The touch, and the time of parting, from where the ray goes through.
-fn through(pair: &Pair, enter: &Portal, leave: &Portal) -> (Touch, f64) {
+fn by_portals(pair: &Pair) -> Found<(Touch, f64)> {
+    let Some(mut shadow) = Shadow::new(pair) else {
+        return Found::Unclear;
+    };
+    let probes = match shadow.enclose() {
+        Found::Yes(probes) => probes,
+        Found::Miss => return Found::Miss,
+        Found::Unclear => return Found::Unclear,
+    };
+    let (Some(enter), Some(leave)) = (shadow.refine(probes, -1.0), shadow.refine(probes, 1.0))
+    else {
+        return Found::Unclear;
+    };
     let length = pair.motion.length();
     let time = |portal: &Portal| pair.nearest_distance + portal.distance / length;
     let [p, q, r] = enter.probes.map(|probe| probe.vertices);
-    let touch = pair.touch(enter.normal, time(enter), [enter.vertices, p, q, r]);
+    let touch = pair.touch(enter.normal, time(&enter), [enter.vertices, p, q, r]);
+    if !touch.certain {
+        return Found::Unclear;
+    }
     let speed = leave.normal.dot(pair.motion);
     let leave = if speed > STEEP {
         pair.height(leave.normal, leave.vertices) / speed
     } else {
-        time(leave)
+        time(&leave)
     };
-    (touch, leave)
+    Found::Yes((touch, leave))
 }

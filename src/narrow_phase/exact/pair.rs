@@ -4,6 +4,10 @@ use super::body::Body;
 use crate::geometry::Shape;
 use glam::{DQuat, DVec3};
 
+/// Speed towards a plane, as a share of the largest component of the motion, up to which
+/// the time of the search is kept: it minds the other planes too.
+pub(super) const STEEP: f64 = 0.1;
+
 /// A's motion past B, seen from B's centre along the world's axes.
 ///
 /// Distances along the motion count in scaled motions: the largest component
@@ -70,8 +74,34 @@ impl<'a> Pair<'a> {
         [self.a.support(-normal), self.b.support(normal)]
     }
 
-    /// When A, in scaled motions, passes the plane that holds B back.
-    pub(super) fn time(&self, normal: DVec3) -> f64 {
-        self.height(normal, self.supports(normal)) / normal.dot(self.motion)
+    /// When A, in scaled motions, passes the plane that holds B back; `cautious`, counted
+    /// from where the two are nearest, is right but for rounding.
+    ///
+    /// What is nearly along the motion turns rounding into long times. The cautious time
+    /// then is as good for that plane, and better for the others.
+    pub(super) fn time(&self, normal: DVec3, cautious: f64) -> f64 {
+        let speed = normal.dot(self.motion);
+        if speed.abs() > STEEP {
+            self.height(normal, self.supports(normal)) / speed
+        } else {
+            self.nearest_distance + cautious
+        }
+    }
+}
+
+/// Both ends of a crossing: unit normals out of the difference, and cautious times.
+pub(super) struct Ends {
+    pub(super) enter: (DVec3, f64),
+    pub(super) leave: (DVec3, f64),
+}
+
+impl Ends {
+    /// From normals up to their signs: the motion leads in by one and out by the other.
+    pub(super) fn new(pair: &Pair, enter: (DVec3, f64), leave: (DVec3, f64)) -> Self {
+        let along = |normal: DVec3| 1.0_f64.copysign(normal.dot(pair.motion));
+        Self {
+            enter: (-along(enter.0) * enter.0, enter.1),
+            leave: (along(leave.0) * leave.0, leave.1),
+        }
     }
 }

@@ -8,22 +8,27 @@ pub(super) use witness::around;
 /// Distance, as a share of the pair's size, up to which a point counts as in a feature.
 const SLACK: f64 = 1e-14;
 
-/// A point in the middle of what two points, segments or polygons share; half way between
-/// them where rounding keeps them apart.
+/// A point in the middle of what two points, segments or polygons share; of the
+/// larger one the nearest to the other where rounding keeps them apart.
 pub(super) fn middle(a: &[DVec2], b: &[DVec2], size: f64) -> DVec2 {
     let middle = witness::middle(a, b);
     let near = |polygon: &[DVec2]| nearest(polygon, middle).distance(middle) <= SLACK * size;
     if near(a) && near(b) {
         return middle;
     }
-    // They touch in an edge or corner of both: where a corner of one is nearest to the other.
+    // They touch in an edge or corner of both, or one is turned by a hair from a face that
+    // reaches further: where a corner of one is nearest to the other.
     let mut best = (f64::INFINITY, middle);
+    let lone = |polygon: &[DVec2]| polygon.len() == 1;
     for (corners, polygon) in [(a, b), (b, a)] {
+        if lone(polygon) && !lone(corners) {
+            continue;
+        }
         for &corner in corners {
             let foot = nearest(polygon, corner);
             let distance = foot.distance_squared(corner);
             if distance < best.0 {
-                best = (distance, 0.5 * (foot + corner));
+                best = (distance, foot);
             }
         }
     }

@@ -176,7 +176,10 @@ impl<'a> Shadow<'a> {
             let known = probes.iter().any(|probe| probe.vertices == new.vertices);
             let length = normal.length();
             if known || gain <= tolerance * length {
-                if !(side * normal.z > 0.0) {
+                let lowest = normal.dot(p).min(normal.dot(q)).min(normal.dot(r));
+                let spread = normal.dot(new.point) - lowest;
+                // The normal of a sliver is rounding; NaN gives up too.
+                if !(side * normal.z > 0.0 && spread <= 2.0 * tolerance * length) {
                     return None;
                 }
                 return Some(Portal {

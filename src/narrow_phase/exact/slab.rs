@@ -7,8 +7,8 @@
 /// early, exits as late as rounding allows. Then a slab that says little
 /// never outdoes one that says much, and what touches is not lost.
 pub(super) struct Slabs<T> {
-    enter: f64,
-    leave: f64,
+    pub(super) enter: f64,
+    pub(super) leave: f64,
     /// Who gave the entry and the exit.
     pub(super) enter_by: Option<T>,
     pub(super) leave_by: Option<T>,

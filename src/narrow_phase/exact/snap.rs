@@ -3,7 +3,7 @@
 
 use super::body::Body;
 use super::edges::edge_normal;
-use super::pair::Pair;
+use super::pair::{Pair, STEEP};
 use super::patch;
 use crate::geometry::{Feature, Polytope, Shape};
 use crate::math::frame::orthonormal;
@@ -16,10 +16,6 @@ use glam::{DVec2, DVec3};
 /// turned by a hair from a face is taken for part of it.
 const FEATURE: f64 = 1e-12;
 
-/// Speed towards a plane, as a share of the largest component of the motion, below which its
-/// time is not trusted to be early.
-pub(super) const STEEP: f64 = 0.1;
-
 /// Up to this many vertices are all looked at; of more, only those around the farthest.
 const FEW: usize = 24;
 
@@ -29,6 +25,8 @@ pub(super) struct Touch {
     pub(super) normal: DVec3,
     pub(super) features: [Feature; 2],
     pub(super) point: Place,
+    /// Whether the features themselves gave the normal, and the time that was known.
+    pub(super) certain: bool,
 }
 
 /// A point as an offset from the centre of one of the bodies.
@@ -92,17 +90,16 @@ impl Pair<'_> {
         let summit_a = summit(&self.a, -near, known.map(|[a, _]| a));
         let summit_b = summit(&self.b, near, known.map(|[_, b]| b));
         let features = [summit_a.feature, summit_b.feature];
-        let (mut normal, mut time) = (near, near_time);
+        let (mut normal, mut time, mut certain) = (near, near_time, false);
         if let Some(sharp) = self.normal_of(features, near) {
             let (speed, sharp_speed) = (near.dot(self.motion), sharp.dot(self.motion));
             let sharp_time = self.reach(sharp, &summit_a, &summit_b) / sharp_speed;
             let moved = sharp_time - near_time;
             // Features found a hair off the ray must not move it.
             if (moved * speed).abs().max((moved * sharp_speed).abs()) <= self.doubt() {
-                normal = sharp;
-                // Of what is nearly along the motion rounding makes long times, and to be
-                // early there may leave a gap to what is not.
-                if sharp_speed.abs() > STEEP || moved > 0.0 {
+                (normal, certain) = (sharp, true);
+                // Of what is nearly along the motion rounding makes long times.
+                if sharp_speed.abs() > STEEP {
                     time = sharp_time;
                 }
             }
@@ -113,6 +110,7 @@ impl Pair<'_> {
             normal,
             features,
             point,
+            certain,
         }
     }
 
