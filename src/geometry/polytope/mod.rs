@@ -90,6 +90,8 @@ pub struct Polytope {
     triangles: Vec<[u32; 3]>,
     triangle_faces: Vec<u32>,
     edges: Vec<Edge>,
+    /// The edges' numbers in the order of their vertices, the lower first.
+    edge_order: Vec<u32>,
     normals: Vec<DVec3>,
     offsets: Vec<f64>,
     /// The vertices around each face.
@@ -222,6 +224,7 @@ impl Polytope {
             vertices,
             triangles,
             triangle_faces: faces.of_triangle,
+            edge_order: topology::edge_order(&faces.edges),
             edges: faces.edges,
             normals: faces.normals,
             rims: faces.rims,
@@ -314,6 +317,19 @@ impl Polytope {
     #[must_use]
     pub fn support(&self, direction: DVec3) -> u32 {
         self.support.vertex(&self.vertices, direction)
+    }
+
+    /// The number of the edge between two vertices.
+    pub(crate) fn edge_between(&self, from: u32, to: u32) -> Option<u32> {
+        let vertices = (from.min(to), from.max(to));
+        let of = |&edge: &u32| topology::sorted_vertices(&self.edges[edge as usize]);
+        let place = self.edge_order.binary_search_by_key(&vertices, of).ok()?;
+        self.edge_order.get(place).copied()
+    }
+
+    /// The vertices that share a triangle's edge with `vertex`, if it is a corner of the hull.
+    pub(crate) fn neighbours(&self, vertex: u32) -> &[u32] {
+        self.support.neighbours(vertex)
     }
 }
 

@@ -54,6 +54,11 @@ impl Support {
         self.climb(vertices, direction, start)
     }
 
+    /// The corners of the exact hull around one of them.
+    pub(super) fn neighbours(&self, vertex: u32) -> &[u32] {
+        self.climb.get(vertex as usize)
+    }
+
     /// All corners of the hull that may be as far along `normal` as any, to
     /// within `slack`; of a convex body they hang together.
     pub(super) fn visit_summit(

@@ -16,7 +16,7 @@ mod order;
 mod pair;
 mod separate;
 mod sphere;
-mod witness;
+pub(in crate::narrow_phase) mod witness;
 
 use crate::geometry::{Feature, Pose, Shape};
 use crate::tolerance::touch_tolerance;

@@ -72,7 +72,7 @@ fn feature(hull: &Hull, direction: DVec3) -> (Feature, Vec<DVec3>) {
 }
 
 /// The corners of a convex polygon in counter-clockwise order.
-fn around(mut points: Vec<DVec2>) -> Vec<DVec2> {
+pub(in crate::narrow_phase) fn around(mut points: Vec<DVec2>) -> Vec<DVec2> {
     let centre = mean(&points);
     points.sort_by(|p, q| {
         let angle = |p: &DVec2| (p.y - centre.y).atan2(p.x - centre.x);
@@ -113,7 +113,7 @@ fn centroid(points: &[DVec2]) -> DVec2 {
 }
 
 /// A point that two convex point sets share: points, segments or polygons.
-fn middle(a: &[DVec2], b: &[DVec2]) -> DVec2 {
+pub(in crate::narrow_phase) fn middle(a: &[DVec2], b: &[DVec2]) -> DVec2 {
     let (subject, clip) = if a.len() <= b.len() { (a, b) } else { (b, a) };
     match (subject, clip) {
         ([point], _) => *point,

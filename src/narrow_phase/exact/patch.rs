@@ -1,0 +1,55 @@
+//! What two flat features share where they touch, seen along the normal.
+
+use crate::narrow_phase::overlap::witness;
+use glam::DVec2;
+
+pub(super) use witness::around;
+
+/// Distance, as a share of the pair's size, up to which a point counts as in a feature.
+const SLACK: f64 = 1e-14;
+
+/// A point in the middle of what two points, segments or polygons share; of the
+/// larger one the nearest to the other where rounding keeps them apart.
+pub(super) fn middle(a: &[DVec2], b: &[DVec2], size: f64) -> DVec2 {
+    let middle = witness::middle(a, b);
+    let near = |polygon: &[DVec2]| nearest(polygon, middle).distance(middle) <= SLACK * size;
+    if near(a) && near(b) {
+        return middle;
+    }
+    // They touch in an edge or corner of both, or one is turned by a hair from a face that
+    // reaches further: where a corner of one is nearest to the other.
+    let mut best = (f64::INFINITY, middle);
+    let lone = |polygon: &[DVec2]| polygon.len() == 1;
+    for (corners, polygon) in [(a, b), (b, a)] {
+        if lone(polygon) && !lone(corners) {
+            continue;
+        }
+        for &corner in corners {
+            let foot = nearest(polygon, corner);
+            let distance = foot.distance_squared(corner);
+            if distance < best.0 {
+                best = (distance, foot);
+            }
+        }
+    }
+    best.1
+}
+
+/// The polygon's point nearest to `point`.
+fn nearest(polygon: &[DVec2], point: DVec2) -> DVec2 {
+    let mut best = (f64::INFINITY, point);
+    let mut inside = polygon.len() > 2;
+    for (index, &from) in polygon.iter().enumerate() {
+        let along = polygon[(index + 1) % polygon.len()] - from;
+        let offset = point - from;
+        inside &= along.perp_dot(offset) >= 0.0;
+        let share = offset.dot(along) / along.length_squared();
+        // Of an edge without length the share is NaN, which the clamp keeps out.
+        let foot = from + share.max(0.0).min(1.0) * along;
+        let distance = foot.distance_squared(point);
+        if distance < best.0 {
+            best = (distance, foot);
+        }
+    }
+    if inside { point } else { best.1 }
+}
