@@ -4,11 +4,11 @@ use crate::broad_phase::{FramePairs, PairList, Volume};
 use crate::error::{BodyError, ConfigError};
 use crate::geometry::{Pose, Shape};
 use crate::motion::{FrameMotion, Motion};
-use crate::narrow_phase::rays::RayCaster;
 use crate::tolerance::touch_tolerance;
 use crate::world::envelope::Envelope;
 use crate::world::slots::{Resident, Slots};
-use crate::world::{Body, BodyId, Contact, Method, StepStats, WorldConfig};
+use crate::world::solver::Solver;
+use crate::world::{Body, BodyId, Contact, StepStats, WorldConfig};
 use glam::DVec3;
 
 /// Bodies that move, and when, where and how they meet.
@@ -38,7 +38,7 @@ pub struct CollisionWorld {
     pub(super) config: WorldConfig,
     pub(super) slots: Slots,
     pub(super) time: f64,
-    pub(super) caster: RayCaster,
+    pub(super) solver: Solver,
     pub(super) pairs: PairList,
     /// The pairs with bodies in free flight, of the frame at hand.
     pub(super) frame_pairs: FramePairs,
@@ -77,12 +77,11 @@ impl CollisionWorld {
     }
 
     fn with_checked(config: WorldConfig) -> Self {
-        let Method::Rays(rays) = config.method;
         Self {
             config,
             slots: Slots::default(),
             time: 0.0,
-            caster: RayCaster::new(rays),
+            solver: Solver::new(config.method),
             pairs: PairList::new(config.broad_phase),
             frame_pairs: FramePairs::default(),
             volumes: Vec::new(),
@@ -109,7 +108,7 @@ impl CollisionWorld {
             .next_id()
             .ok_or(BodyError::TooManyBodies { max: Slots::MAX })?;
         self.slots
-            .insert(id, Resident::new(body, self.time, &self.caster));
+            .insert(id, Resident::new(body, self.time, &self.solver));
         self.changed.push(id.slot);
         Ok(id)
     }
@@ -263,13 +262,13 @@ impl CollisionWorld {
 }
 
 impl Resident {
-    pub(super) fn new(body: Body, since: f64, caster: &RayCaster) -> Self {
+    pub(super) fn new(body: Body, since: f64, solver: &Solver) -> Self {
         Self {
             since,
             centre_offset: body.orientation * body.shape.centre(),
             reach: body.shape.max_dist(),
             placed: true,
-            points: caster.surface_points(&body.shape),
+            points: solver.surface_points(&body.shape),
             frame: FrameMotion::new(&body.motion, 0.0, 1.0),
             body,
         }

@@ -10,6 +10,7 @@ mod envelope;
 mod id;
 mod pair;
 mod slots;
+mod solver;
 mod stats;
 mod step;
 mod volume;

@@ -5,10 +5,12 @@ use crate::error::{FirstContactError, StepError};
 use crate::geometry::{Feature, Pose, Shape};
 use crate::math::domain;
 use crate::motion::{FrameMotion, Motion};
+use crate::narrow_phase::exact::{Touching, crossing};
 use crate::narrow_phase::overlap::overlap;
-use crate::narrow_phase::rays::{Chords, Overlaps, RayCaster, Standing, part};
+use crate::narrow_phase::rays::{Standing, part};
 use crate::tolerance::{MAX_TIME_STEP, MIN_TIME_STEP, touch_tolerance};
 use crate::world::slots::Resident;
+use crate::world::solver::{Solver, Stretching};
 use crate::world::{Body, ContactKind, Method, WorldConfig};
 use glam::{DQuat, DVec3};
 
@@ -94,7 +96,7 @@ pub(crate) struct PairEffort {
 
 /// First contact of a pair in the frame.
 pub(crate) fn examine(
-    caster: &mut RayCaster,
+    solver: &mut Solver,
     a: &Mover<'_>,
     b: &Mover<'_>,
     effort: &mut PairEffort,
@@ -102,11 +104,12 @@ pub(crate) fn examine(
     let mut pair = Pair {
         a,
         b,
-        caster,
+        stretching: solver.stretching(),
+        solver,
         effort,
         halvings: 0,
     };
-    if pair.caster.config().overlaps == Overlaps::Report
+    if pair.stretching.reports_overlaps
         && let Some(contact) = pair.overlap_at(0.0)
     {
         return Some(contact.into());
@@ -129,7 +132,8 @@ pub(crate) fn examine(
 struct Pair<'a> {
     a: &'a Mover<'a>,
     b: &'a Mover<'a>,
-    caster: &'a mut RayCaster,
+    solver: &'a mut Solver,
+    stretching: Stretching,
     effort: &'a mut PairEffort,
     /// How often a stretch of this frame has been halved.
     halvings: u32,
@@ -165,15 +169,12 @@ impl Pair<'_> {
     /// A stretch without the end of a path inside: by the thesis's rule either
     /// one chord, or subdivided into several, on both bodies alike.
     fn examine_smooth(&mut self, from: f64, to: f64) -> Option<Finding> {
-        let config = *self.caster.config();
-        let turns = |mover: &Mover<'_>| {
-            mover.frame.curved
-                && mover.frame.turn_between(mover.motion, from, to) > config.curve_angle
+        let turns = |mover: &Mover<'_>, angle: f64| {
+            mover.frame.curved && mover.frame.turn_between(mover.motion, from, to) > angle
         };
-        let pieces = if turns(self.a) || turns(self.b) {
-            config.curve_points + 1
-        } else {
-            1
+        let pieces = match self.stretching.bend {
+            Some((angle, points)) if turns(self.a, angle) || turns(self.b, angle) => points + 1,
+            _ => 1,
         };
         let at = |piece: u32| {
             if piece == pieces {
@@ -195,7 +196,7 @@ impl Pair<'_> {
         if early_out::reject(between, motion, self.reach() + deviation).is_some() {
             return None;
         }
-        if let Chords::Within(share) = self.caster.config().chords
+        if let Some(share) = self.stretching.chords
             && deviation > share * self.leniency() * self.reach()
         {
             let middle = 0.5 * (from + to);
@@ -209,7 +210,7 @@ impl Pair<'_> {
         self.effort.stretches += 1;
         // Rays that missed the touch on an earlier stretch leave the bodies in each other.
         if from > 0.0
-            && self.caster.config().overlaps == Overlaps::Report
+            && self.stretching.reports_overlaps
             && let Some(contact) = self.overlap_at(from)
         {
             return Some(
@@ -236,7 +237,7 @@ impl Pair<'_> {
         f64::from(self.halvings.saturating_sub(FREE) / DOUBLING).exp2()
     }
 
-    /// The shortest ray along the chords of one stretch.
+    /// The touch along the chords of one stretch.
     fn cast(
         &mut self,
         from: f64,
@@ -244,43 +245,73 @@ impl Pair<'_> {
         between: DVec3,
         [motion_a, motion_b]: [DVec3; 2],
     ) -> Option<Finding> {
+        /// Sine of the angle to the surface below which a motion slides along it:
+        /// of a ball that glides in touch, the root of what rounding leaves.
+        const SLIDE: f64 = 1e-7;
         let (pose_a, pose_b) = (self.a.pose_at(from), self.b.pose_at(from));
+        let (a, b) = (self.a, self.b);
         let standing = (
             Standing {
-                shape: self.a.shape,
+                shape: a.shape,
                 pose: &pose_a,
-                points: self.a.points,
+                points: a.points,
             },
             Standing {
-                shape: self.b.shape,
+                shape: b.shape,
                 pose: &pose_b,
-                points: self.b.points,
+                points: b.points,
             },
         );
         let motion = motion_a - motion_b;
-        let coordinate = pose_a
-            .position
-            .abs()
-            .max(pose_b.position.abs())
-            .max_element();
+        let positions = [pose_a.position, pose_b.position];
+        let coordinate = positions[0].abs().max(positions[1].abs()).max_element();
         let touch = touch_tolerance(self.reach(), coordinate);
-        let found =
-            self.caster
-                .shortest_ray(standing, between, motion, touch, &mut self.effort.rays)?;
+        let found = match self.solver {
+            Solver::Rays(caster) => {
+                let rays = &mut self.effort.rays;
+                let ray = caster.shortest_ray(standing, between, motion, touch, rays)?;
+                let centre = pose_a.position + a.centre_offset;
+                Touching {
+                    fraction: ray.fraction,
+                    point: centre + (ray.offset + ray.fraction * motion_b),
+                    normal: ray.normal,
+                    features: ray.features,
+                }
+            }
+            Solver::Exact => {
+                let found = crossing(a.shape, &pose_a, b.shape, &pose_b, motion)?;
+                let enter = found.enter;
+                // Bodies that overlap are told of elsewhere. Who is deeper in
+                // since they met than a touch is deep, and yet does not overlap, is
+                // about to leave.
+                let depth = enter.fraction * motion.dot(enter.normal);
+                let late = (enter.fraction - 1.0) * motion.length() > touch;
+                if late || enter.fraction < 0.0 && depth > touch {
+                    return None;
+                }
+                let fraction = enter.fraction.clamp(0.0, 1.0);
+                let point = pose_b.position + (enter.point + fraction * motion_b);
+                Touching {
+                    fraction,
+                    point,
+                    ..enter
+                }
+            }
+        };
         // Bodies that touch as the stretch begins and part, or slide along each
         // other, make no contact.
-        /// Sine of the angle to the surface below which a motion slides along it.
-        const SLIDE: f64 = 1e-9;
         let length = motion.length();
         let closing = -motion.dot(found.normal);
-        let touching = found.fraction * length <= touch;
+        // Gliding in touch a curved body may, by rounding, touch a little later.
+        let at_once = found.fraction * length <= SLIDE * self.reach();
+        let touching =
+            found.fraction * length <= touch || at_once && found.fraction * closing <= touch;
         if touching && (closing <= SLIDE * length || part(standing, between, motion, touch)) {
             return None;
         }
-        let centre = pose_a.position + self.a.centre_offset;
         let contact = PairContact {
             fraction: from + found.fraction * (to - from),
-            point: centre + (found.offset + found.fraction * motion_b),
+            point: found.point,
             normal: found.normal,
             features: found.features,
             kind: ContactKind::Touch,
@@ -327,16 +358,15 @@ pub fn first_contact(
         ..WorldConfig::default()
     }
     .checked()?;
-    let Method::Rays(rays) = config.method;
-    let mut caster = RayCaster::new(rays);
+    let mut solver = Solver::new(config.method);
     domain::within("horizon", horizon, MIN_TIME_STEP, MAX_TIME_STEP).map_err(StepError::from)?;
     let resident = |body: &Body| -> Result<Resident, FirstContactError> {
-        let mut resident = Resident::new(body.clone().checked()?, 0.0, &caster);
+        let mut resident = Resident::new(body.clone().checked()?, 0.0, &solver);
         resident.frame = FrameMotion::new(resident.body.motion(), 0.0, horizon);
         Ok(resident)
     };
     let (a, b) = (resident(a)?, resident(b)?);
     let mut effort = PairEffort::default();
-    let finding = examine(&mut caster, &Mover::new(&a), &Mover::new(&b), &mut effort);
+    let finding = examine(&mut solver, &Mover::new(&a), &Mover::new(&b), &mut effort);
     Ok(finding.map(|finding| finding.contact))
 }

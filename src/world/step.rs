@@ -222,7 +222,7 @@ impl CollisionWorld {
             };
             let placed = a.placed || b.placed;
             let (a, b) = (Mover::new(a), Mover::new(b));
-            let Some(finding) = pair::examine(&mut self.caster, &a, &b, &mut effort) else {
+            let Some(finding) = pair::examine(&mut self.solver, &a, &b, &mut effort) else {
                 continue;
             };
             if finding.resting && self.touching.binary_search(&(first, second)).is_ok() {

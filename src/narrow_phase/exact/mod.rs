@@ -18,6 +18,7 @@ mod ball_start;
 mod ball_triangle;
 mod body;
 mod boxes;
+mod cast;
 mod crossing;
 mod edges;
 mod faces;
@@ -30,5 +31,6 @@ mod snap;
 
 pub use ball_ball::ball_ball;
 pub use ball_crossing::ball_crossing;
+pub use cast::crossing;
 pub use crossing::{Crossing, Touching};
 pub use flat::flat_crossing;
