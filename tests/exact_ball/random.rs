@@ -21,7 +21,7 @@ fn run(name: &str, count: usize, mut make: impl FnMut(usize) -> Cast) -> (usize,
     }
     println!("{name}: {hits} hits, {unique} features of {count}; gap {gap:.1e}, normal {turn:.1e}");
     assert!(
-        (count * 3 / 10..=count * 98 / 100).contains(&hits),
+        (count * 3 / 10..count).contains(&hits),
         "{name}: inputs are lopsided: {hits} hits of {count}"
     );
     (hits, unique)
@@ -158,4 +158,25 @@ fn balls_of_any_size_agree_with_the_oracle() {
             cast
         });
     }
+}
+
+/// Through bodies as thin as a ball, faces are come upon from behind: a search that steps from
+/// neighbour to neighbour once stopped there, an edge too far.
+#[test]
+fn thin_hulls_agree_with_the_oracle() {
+    let mut draw = Draw::new(400);
+    let mut shape: Option<Shape> = None;
+    run("thin hull", 3_000, |index| {
+        if index % 8 == 0 {
+            shape = None;
+        }
+        let shape = shape.get_or_insert_with(|| {
+            let thin = draw.log(1e-3, 1e-1);
+            draw.hull(20, DVec3::new(1.0, 1.0, thin)).into()
+        });
+        let mut cast = draw.cast(shape.clone(), 1.0, 0.0);
+        cast.ball = Sphere::new(draw.log(1e-3, 0.3)).unwrap();
+        cast.position -= 5.0 * draw.unit() * cast.motion;
+        cast
+    });
 }

@@ -156,6 +156,8 @@ impl Reach {
                 let fraction = approach.middle - half;
                 if fraction <= next && approach.middle >= here {
                     let (fraction, _) = ends(&approach, half, from, square, self.radius);
+                    // A line along the feature, but for rounding, has no fraction to speak of.
+                    let fraction = fraction.max(here).min(next);
                     let away = approach.closest - half * direction;
                     return Some(Some(Entry { fraction, away }));
                 }

@@ -98,6 +98,18 @@ impl Cast<'_> {
                 None => break,
             }
         }
+        if self.leans(edge, &best) {
+            // Into the neighbour from behind, through a thin body: its front is elsewhere.
+            for face in 0..self.polytope.face_normals().len() as u32 {
+                match self.onto(face, None) {
+                    Ok(fraction) => return Some(First::Face { face, fraction }),
+                    Err(Some((next, meeting))) if meeting.before(&best) => {
+                        (edge, best) = (next, meeting);
+                    }
+                    Err(_) => {}
+                }
+            }
+        }
         let reach = self.radius + self.slack;
         (best.hit || best.rank <= reach * reach).then_some(First::Edge {
             edge,
@@ -168,6 +180,34 @@ impl Cast<'_> {
             }
         }
         None
+    }
+
+    /// Whether the normal of a touch leans over a neighbour by more than rounding.
+    ///
+    /// A lean of 1e-7 radians is an overlap of 1e-14 radii.
+    fn leans(&self, edge: u32, best: &Meeting) -> bool {
+        let this = &self.polytope.edges()[edge as usize];
+        let margin = 1e-7 * best.away.length();
+        match best.place {
+            Place::Inner => {
+                let [from, to] = self.ends(this);
+                let along = to - from;
+                (this.faces.into_iter().zip([along, -along])).any(|(face, along)| {
+                    let inwards = self.polytope.face_normals()[face as usize].cross(along);
+                    best.away.dot(inwards) > margin * inwards.length()
+                })
+            }
+            Place::End(end) => {
+                let vertex = this.vertices[end];
+                let point = self.polytope.vertices()[vertex as usize];
+                let edges = self.polytope.edge_map().around_vertex(vertex);
+                edges.iter().any(|&next| {
+                    let [from, to] = self.ends(&self.polytope.edges()[next as usize]);
+                    let along = (from - point) + (to - point);
+                    best.away.dot(along) > margin * along.length()
+                })
+            }
+        }
     }
 
     /// The fraction from the coordinates as they were `given`, `middle` before the line's origin.
