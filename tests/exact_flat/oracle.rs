@@ -273,21 +273,21 @@ impl Oracle {
                 outside = outside.max(out);
             }
         }
-        if outside > 1e-9 * self.size {
+        if outside > 1e-7 * self.size {
             return Some(format!("point {outside:e} outside"));
         }
         self.unique(found, bottom, &a, &b).or_else(|| {
-            (self.is_unique(found) && outside > 20.0 * exact)
+            (self.is_unique(found, 1e-14) && outside > 20.0 * exact)
                 .then(|| format!("point {outside:e} outside"))
         })
     }
 
-    /// Whether no other normal would do, or nearly do.
-    fn is_unique(&self, found: &Crossing) -> bool {
+    /// Whether no other normal would do, or nearly do, but those within an angle.
+    fn is_unique(&self, found: &Crossing, angle: f64) -> bool {
         let enter = found.enter;
         self.axes.iter().all(|axis| {
             let outside = axis.outside + enter.fraction * axis.speed;
-            outside.abs() > NEAR * self.size || axis.normal.cross(enter.normal).length() <= 1e-7
+            outside.abs() > NEAR * self.size || axis.normal.cross(enter.normal).length() <= angle
         })
     }
 
@@ -295,7 +295,7 @@ impl Oracle {
     fn unique(&self, found: &Crossing, level: f64, a: &[DVec3], b: &[DVec3]) -> Option<String> {
         let enter = found.enter;
         let near = NEAR * self.size;
-        if !self.is_unique(found) {
+        if !self.is_unique(found, 1e-7) {
             return None;
         }
         let normal = (self.axes.iter().map(|axis| axis.normal))

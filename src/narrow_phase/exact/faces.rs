@@ -81,8 +81,10 @@ fn show_edges(pair: &Pair, slabs: &mut Slabs<DVec3>, a: &Arc, b: &Arc, normal: D
         let time = -(depth - pair.rounding) / speed;
         let matters = if speed > 0.0 {
             slabs.is_later(time)
+        } else if speed < 0.0 {
+            slabs.is_earlier(time)
         } else {
-            !(speed < 0.0) || slabs.is_earlier(time)
+            true
         };
         if matters {
             show(pair, slabs, normal);

@@ -32,7 +32,8 @@ use glam::{DQuat, DVec3};
 ///
 /// Gap or overlap left at the time found is within 1e-12 of the pair's size, plus
 /// rounding in the coordinates given; time, normal and point are computed afresh from the
-/// features.
+/// features. Where edges or faces are parallel but for a hair, rounding decides which features
+/// they are, and the point is as uncertain as what they share.
 ///
 /// Two boxes take fifteen swept separating axes (Gottschalk, Lin & Manocha, 1996). Other
 /// pairs search the portal of the Minkowski difference that the ray goes through

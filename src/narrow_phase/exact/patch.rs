@@ -44,8 +44,9 @@ fn nearest(polygon: &[DVec2], point: DVec2) -> DVec2 {
         let offset = point - from;
         inside &= along.perp_dot(offset) >= 0.0;
         let share = offset.dot(along) / along.length_squared();
-        // Of an edge without length the share is NaN, which the clamp keeps out.
-        let foot = from + share.max(0.0).min(1.0) * along;
+        // Of an edge without length the share is NaN.
+        let share = if share > 0.0 { share.min(1.0) } else { 0.0 };
+        let foot = from + share * along;
         let distance = foot.distance_squared(point);
         if distance < best.0 {
             best = (distance, foot);

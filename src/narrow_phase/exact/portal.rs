@@ -60,7 +60,7 @@ pub(super) struct Shadow<'a> {
     from_b: DMat3,
     /// Where the ray runs, seen from the difference's middle.
     ray: DVec2,
-    /// The same unshifted.
+    /// Up to this distance in metres what passes by counts as touching.
     shift: f64,
 }
 

@@ -96,7 +96,8 @@ impl Pair<'_> {
             let sharp_time = self.reach(sharp, &summit_a, &summit_b) / sharp_speed;
             let moved = sharp_time - near_time;
             // Features found a hair off the ray must not move it.
-            if (moved * speed).abs().max((moved * sharp_speed).abs()) <= self.doubt() {
+            let error = (moved * speed).abs().max((moved * sharp_speed).abs());
+            if sharp_speed <= 0.0 && error <= self.doubt() {
                 (normal, certain) = (sharp, true);
                 // Of what is nearly along the motion rounding makes long times.
                 if sharp_speed.abs() > STEEP {
