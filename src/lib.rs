@@ -56,7 +56,7 @@
 //! |---|---|
 //! | `scene` | whole scenes to be read and written (feature `serde`) |
 //! | [`world`] | [`CollisionWorld`], bodies, contacts, settings, one frame |
-//! | [`narrow_phase`] | the ray method; overlap depths |
+//! | [`narrow_phase`] | exact casts; the ray method; overlap depths |
 //! | [`early_out`] | three tests that reject a pair in a few operations |
 //! | [`broad_phase`] | lists of pairs: all, or those whose swept boxes overlap |
 //! | [`sweep`] | boxes around whole paths |

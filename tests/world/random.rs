@@ -34,13 +34,9 @@ impl Tally {
     }
 }
 
-fn hunt(kinds: [Kind; 2], casts: usize, seed: u64, far: f64, rays: u32) -> Tally {
+fn hunt(kinds: [Kind; 2], casts: usize, seed: u64, far: f64, method: Method) -> Tally {
     let mut random = Random::seeded(seed);
     let mut tally = Tally::default();
-    let method = Method::Rays(RayConfig {
-        rays,
-        ..RayConfig::default()
-    });
     while tally.casts < casts {
         let scale = random.decades(-3.0, 3.0);
         let sizes = [scale, scale * random.decades(-1.0, 1.0)];
@@ -113,11 +109,23 @@ fn straight_casts_of_all_shapes_miss_nothing_and_see_no_ghosts() {
     let casts = std::env::var("CASTS").map_or(150, |casts| casts.parse().unwrap());
     for (index, a) in Kind::ALL.into_iter().enumerate() {
         for b in Kind::ALL.into_iter().skip(index) {
-            for (far, rays) in [(0.0, 100), (0.0, 1), (1e4, 100)] {
-                let tally = hunt([a, b], casts, 1, far, rays);
+            let rays = |rays| {
+                Method::Rays(RayConfig {
+                    rays,
+                    ..RayConfig::default()
+                })
+            };
+            for (far, method, name) in [
+                (0.0, rays(100), "100 rays"),
+                (0.0, rays(1), "1 ray"),
+                (1e4, rays(100), "100 rays"),
+                (0.0, Method::Exact, "exact"),
+                (1e4, Method::Exact, "exact"),
+            ] {
+                let tally = hunt([a, b], casts, 1, far, method);
                 let error = |quantile| tally.error(quantile);
                 let told = format!(
-                    "{a:?} and {b:?}, {rays} rays, {far} m out: {} hits of {}, {} missed, by {:.1e} \
+                    "{a:?} and {b:?}, {name}, {far} m out: {} hits of {}, {} missed, by {:.1e} \
                      at worst, {} ghosts; errors {:.1e} at the median, {:.1e} at worst, {:.1e} of \
                      the tolerance; points off by {:.1e}",
                     tally.hits,
