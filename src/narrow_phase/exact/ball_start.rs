@@ -1,7 +1,6 @@
 //! Where on a polytope the search for the first touch begins.
 
 use super::ball_polytope::Cast;
-use glam::DVec3;
 
 /// A face near the first touch; none if the line passes the polytope by.
 ///
@@ -69,29 +68,43 @@ fn near(cast: &Cast) -> u32 {
     map.near(2 * axis + usize::from(outwards[axis] > 0.0), point)
 }
 
-/// Where the line comes through a face pushed out by the radius, if it does so over the face.
-pub(super) fn over(cast: &Cast, face: u32) -> Option<f64> {
-    let (normal, offset) = cast.polytope.face_map().plane(face);
+/// How a line comes to a face pushed out by the radius.
+pub(super) enum Landing {
+    /// Over the face itself.
+    Over { fraction: f64 },
+    /// Beyond its rim, and furthest beyond this edge.
+    Beyond { edge: u32 },
+    /// From behind.
+    Behind,
+}
+
+/// How the line comes to a face, of whose rim `but` is left out.
+#[inline]
+pub(super) fn landing(cast: &Cast, face: u32, but: Option<u32>) -> Landing {
+    let polytope = cast.polytope;
+    let (normal, offset) = polytope.face_map().plane(face);
     let line = &cast.line;
     let rate = normal.dot(line.direction);
     // False for NaN too.
     let towards = rate < 0.0;
     if !towards {
-        return None;
+        return Landing::Behind;
     }
     let fraction = (offset + cast.radius - normal.dot(line.origin)) / rate;
     let point = line.origin + fraction * line.direction;
-    let vertices = cast.polytope.vertices();
-    let inside = |edge: &u32| {
-        let edge = &cast.polytope.edges()[*edge as usize];
-        let [from, to]: [DVec3; 2] = edge.vertices.map(|v| vertices[v as usize]);
-        let inwards = normal.cross(to - from).dot(point - from);
-        if edge.faces[0] == face {
-            inwards >= 0.0
-        } else {
-            inwards <= 0.0
+    let map = polytope.edge_map();
+    let (mut over, mut lowest, mut beyond) = (true, f64::INFINITY, None);
+    for &number in map.around_face(face) {
+        let edge = map.line(number);
+        let side = normal.cross(edge.along).dot(point - edge.from);
+        let inwards = if edge.faces[0] == face { side } else { -side };
+        over &= inwards >= 0.0;
+        if inwards < lowest && Some(number) != but {
+            (lowest, beyond) = (inwards, Some(number));
         }
-    };
-    let rim = cast.polytope.edge_map().around_face(face);
-    rim.iter().all(inside).then_some(fraction)
+    }
+    match beyond {
+        Some(edge) if !over => Landing::Beyond { edge },
+        _ => Landing::Over { fraction },
+    }
 }
