@@ -50,6 +50,7 @@ mod walk;
 
 pub use hit::RayHit;
 pub use line::MAX_ORIGIN;
+pub(crate) use line::scale;
 pub use span::{RaySpan, SurfacePoint};
 
 use crate::geometry::{Pose, Ray};

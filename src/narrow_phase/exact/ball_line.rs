@@ -1,12 +1,9 @@
 //! The way of a ball's centre, made fit to compute with.
 
 use super::{Crossing, Touching};
-use crate::geometry::Feature;
-use crate::raycast::{GRAZE, MAX_ORIGIN};
+use crate::geometry::{Feature, Ray};
+use crate::raycast::{GRAZE, scale};
 use glam::{DMat3, DVec3};
-
-/// Motions whose squares lie between these are used as they are.
-const PLAIN_SQUARES: std::ops::RangeInclusive<f64> = 1e-120..=1e120;
 
 /// A line in the frame of the body that stands, with a direction whose square neither
 /// overflows nor underflows.
@@ -34,33 +31,11 @@ impl Line {
     /// None if a number is not finite, the origin out of all bounds or the motion zero.
     #[inline]
     pub(super) fn new(origin: DVec3, motion: DVec3) -> Option<Self> {
-        let square = motion.length_squared();
-        // A NaN fails these comparisons.
-        if PLAIN_SQUARES.contains(&square) && origin.length_squared() <= MAX_ORIGIN * MAX_ORIGIN {
-            return Some(Self {
-                origin,
-                direction: motion,
-                square,
-                scale: 1.0,
-            });
-        }
-        Self::rescaled(origin, motion)
-    }
-
-    #[cold]
-    fn rescaled(origin: DVec3, motion: DVec3) -> Option<Self> {
-        let within = |vector: DVec3, limit: f64| {
-            // A NaN fails this; `max_element` would pass over it.
-            (vector.abs().to_array().into_iter()).all(|coordinate| coordinate <= limit)
-        };
-        let longest = motion.abs().max_element();
-        if !within(origin, MAX_ORIGIN) || !within(motion, f64::MAX) || longest <= 0.0 {
-            return None;
-        }
-        // Bits 52 to 62 are the exponent plus 1023; 1000 keeps the scale itself normal.
-        let exponent = ((longest.to_bits() >> 52) as i64 - 1023).clamp(-1000, 1000);
-        let scale = f64::from_bits(((1023 - exponent) as u64) << 52);
-        let direction = motion * scale;
+        let scale = scale(&Ray {
+            origin,
+            direction: motion,
+        })?;
+        let direction = scale * motion;
         Some(Self {
             origin,
             direction,

@@ -31,6 +31,7 @@ use glam::{DMat3, DQuat, DVec3};
 /// # Ok::<(), ShapeError>(())
 /// ```
 #[must_use]
+#[inline]
 pub fn ball_touch(
     sphere: &Sphere,
     position: DVec3,
@@ -43,6 +44,11 @@ pub fn ball_touch(
     if let Shape::Sphere(other) = shape {
         return world.touching(of_ball(&world, [radius, other.radius()])?);
     }
+    turned(&world, radius, shape, orientation)
+}
+
+/// The touch of a shape that is turned.
+fn turned(world: &Line, radius: f64, shape: &Shape, orientation: DQuat) -> Option<Touching> {
     let rotation = rotation(shape, orientation);
     let touch = first(&world.turned(&rotation), shape, radius)?;
     let touching = world.touching(touch)?;
