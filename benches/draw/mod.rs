@@ -8,21 +8,21 @@ use rand_chacha::rand_core::{Rng, SeedableRng};
 
 /// How many casts there are of each kind: more than a branch predictor learns by heart, few
 /// enough that all stay in the cache. A power of two.
-pub const COUNT: usize = 1024;
+pub(crate) const COUNT: usize = 1024;
 
 /// A point or a ball of this radius moves by `motion` from `position`.
-pub struct Cast {
-    pub radius: f64,
-    pub position: DVec3,
-    pub shape: Shape,
-    pub pose: Pose,
-    pub motion: DVec3,
+pub(crate) struct Cast {
+    pub(crate) radius: f64,
+    pub(crate) position: DVec3,
+    pub(crate) shape: Shape,
+    pub(crate) pose: Pose,
+    pub(crate) motion: DVec3,
 }
 
-pub struct Draw(ChaCha8Rng);
+pub(crate) struct Draw(ChaCha8Rng);
 
 impl Draw {
-    pub fn new(seed: u64) -> Self {
+    pub(crate) fn new(seed: u64) -> Self {
         Self(ChaCha8Rng::seed_from_u64(seed))
     }
 
@@ -78,7 +78,7 @@ impl Draw {
     ///
     /// They start well apart and fly past or into the shape; some motions end before they
     /// would touch.
-    pub fn casts(&mut self, name: &str, balls: bool) -> Vec<Cast> {
+    pub(crate) fn casts(&mut self, name: &str, balls: bool) -> Vec<Cast> {
         let variety = if name.len() > 6 { 16 } else { 256 };
         let shapes: Vec<Shape> = (0..variety).filter_map(|_| self.shape(name)).collect();
         let casts = (0..COUNT).map(|number| {

@@ -142,6 +142,7 @@ pub trait RayCast {
     }
 }
 
+#[inline]
 fn local(pose: &Pose, ray: &Ray) -> Ray {
     Ray {
         origin: pose.local_point(ray.origin),

@@ -6,6 +6,7 @@ use glam::DVec3;
 
 /// An edge with all that a search needs to know of it: one line of cache.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[repr(align(64))]
 pub(crate) struct EdgeLine {
     /// Its first vertex.
     pub(crate) from: DVec3,
@@ -16,16 +17,15 @@ pub(crate) struct EdgeLine {
     pub(crate) faces: [u32; 2],
 }
 
-/// The edges around each face and each vertex of a polytope.
+/// The edges around each vertex of a polytope.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct EdgeMap {
     lines: Vec<EdgeLine>,
-    of_faces: Lists,
     of_vertices: Lists,
 }
 
 impl EdgeMap {
-    pub(super) fn new(vertices: &[DVec3], faces: usize, edges: &[Edge]) -> Self {
+    pub(super) fn new(vertices: &[DVec3], edges: &[Edge]) -> Self {
         let line = |&Edge {
                         vertices: ends,
                         faces,
@@ -40,7 +40,6 @@ impl EdgeMap {
         };
         Self {
             lines: edges.iter().map(line).collect(),
-            of_faces: gathered(faces, edges, |edge| edge.faces),
             of_vertices: gathered(vertices.len(), edges, |edge| edge.vertices),
         }
     }
@@ -48,12 +47,6 @@ impl EdgeMap {
     #[inline]
     pub(crate) fn line(&self, edge: u32) -> &EdgeLine {
         &self.lines[edge as usize]
-    }
-
-    /// The edges around a face, in the order of their numbers.
-    #[inline]
-    pub(crate) fn around_face(&self, face: u32) -> &[u32] {
-        self.of_faces.get(face as usize)
     }
 
     /// The edges that end at a vertex; none at one amid a face.

@@ -220,7 +220,7 @@ impl Polytope {
         let (centre, max_dist) = bounding_sphere(&vertices);
         let mut polytope = Self {
             offsets: faces.offsets(&vertices, &triangles, &support, tolerance),
-            edge_map: EdgeMap::new(&vertices, faces.normals.len(), &faces.edges),
+            edge_map: EdgeMap::new(&vertices, &faces.edges),
             vertices,
             triangles,
             triangle_faces: faces.of_triangle,
@@ -255,7 +255,7 @@ impl Polytope {
         &self.face_map
     }
 
-    /// The edges by face and by vertex.
+    /// The edges, and those by vertex.
     #[inline]
     pub(crate) fn edge_map(&self) -> &EdgeMap {
         &self.edge_map

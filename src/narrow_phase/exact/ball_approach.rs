@@ -31,10 +31,16 @@ impl Approach {
         }
     }
 
+    /// Half the time spent within the radius, 0 for a point that passes by, times the square.
+    #[inline]
+    fn root(&self, square: f64) -> f64 {
+        (self.room.max(0.0) * square).sqrt()
+    }
+
     /// Half the time spent within the radius; 0 for a point that passes by.
     #[inline]
     pub(super) fn half(&self, square: f64) -> f64 {
-        (self.room.max(0.0) / square).sqrt()
+        self.root(square) / square
     }
 
     /// When the point that sets out at `from` comes within the radius.
@@ -44,7 +50,7 @@ impl Approach {
     /// exactly 0, and one ulp off gives the right sign.
     #[inline]
     pub(super) fn enter(&self, from: DVec3, square: f64, radius: f64) -> f64 {
-        let half = (self.room.max(0.0) * square).sqrt();
+        let half = self.root(square);
         if self.along > 0.0 {
             power(from, radius) / (self.along + half)
         } else {

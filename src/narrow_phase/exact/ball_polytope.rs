@@ -57,7 +57,7 @@ pub(super) fn of_polytope(line: &Line, polytope: &Polytope, radius: f64) -> Opti
     };
     let (fraction, foot, normal, feature) = match cast.first()? {
         Piece::Face { face, fraction } => {
-            let normal = polytope.face_normals()[face as usize];
+            let (normal, _) = polytope.face_map().plane(face);
             let centre = cast.line.origin + fraction * line.direction;
             let fraction = cast.polished(face, middle + fraction, line);
             (
@@ -142,10 +142,9 @@ impl Cast<'_> {
             }
             Landing::Behind => {}
         }
-        let rim = self.polytope.edge_map().around_face(face);
-        (rim.iter())
-            .filter(|&&edge| Some(edge) != but)
-            .find_map(|&edge| before(edge))
+        (self.polytope.face_map().sides(face).iter())
+            .filter(|side| Some(side.edge) != but)
+            .find_map(|side| before(side.edge))
     }
 
     /// To a neighbour that the line meets before the touch `best` with `edge`, if there is one.
