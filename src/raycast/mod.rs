@@ -52,6 +52,7 @@ pub use hit::RayHit;
 pub use line::MAX_ORIGIN;
 pub(crate) use line::scale;
 pub use span::{RaySpan, SurfacePoint};
+pub(crate) use sphere::power;
 
 use crate::geometry::{Pose, Ray};
 use glam::DVec3;

@@ -61,11 +61,16 @@ impl RayCast for Sphere {
 /// `|point|² − radius²`, to full relative accuracy near the surface and with
 /// the right sign everywhere.
 #[inline]
-fn power(point: DVec3, radius: f64) -> f64 {
+pub(crate) fn power(point: DVec3, radius: f64) -> f64 {
     let power = point.length_squared() - radius * radius;
     if power.abs() > 1e-12 * radius * radius {
         power
     } else {
-        exact::sum_of_squares_minus(point.to_array(), radius)
+        near_surface(point, radius)
     }
+}
+
+#[cold]
+fn near_surface(point: DVec3, radius: f64) -> f64 {
+    exact::sum_of_squares_minus(point.to_array(), radius)
 }

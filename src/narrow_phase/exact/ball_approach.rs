@@ -1,6 +1,6 @@
 //! A line's closest approach to a point, and when it comes within a distance of it.
 
-use crate::math::exact;
+use crate::raycast::power;
 use glam::DVec3;
 
 /// The closest approach of a moving point to the origin of its coordinates.
@@ -78,20 +78,4 @@ pub(super) fn normal(away: DVec3, radius: f64) -> DVec3 {
 #[cold]
 fn from_afar(away: DVec3) -> DVec3 {
     away.normalize_or(DVec3::X)
-}
-
-/// `|point|² − radius²`, with the right sign also where the two nearly cancel.
-#[inline]
-fn power(point: DVec3, radius: f64) -> f64 {
-    let power = point.length_squared() - radius * radius;
-    if power.abs() > 1e-12 * radius * radius {
-        power
-    } else {
-        touching(point, radius)
-    }
-}
-
-#[cold]
-fn touching(point: DVec3, radius: f64) -> f64 {
-    exact::sum_of_squares_minus(point.to_array(), radius)
 }
