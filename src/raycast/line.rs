@@ -41,6 +41,18 @@ impl Line {
         fraction * self.scale
     }
 
+    /// Whether the line surely stays further than `reach` from a point that its origin is
+    /// `offset` away from.
+    ///
+    /// Compares squares, which are off by a few ulp of the distance's; the margin is
+    /// twice that.
+    #[inline]
+    pub(super) fn passes_by(&self, offset: DVec3, reach: f64) -> bool {
+        let along = offset.dot(self.direction);
+        let distance = offset.length_squared() * (1.0 - 32.0 * f64::EPSILON);
+        (distance - reach * reach) * self.direction.length_squared() > along * along
+    }
+
     /// The largest coordinate of the origin: the share of the distance in rounding.
     #[inline]
     pub(super) fn distance(&self) -> f64 {

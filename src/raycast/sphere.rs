@@ -19,13 +19,17 @@ impl RayCast for Sphere {
             origin, direction, ..
         } = line;
         let radius = self.radius();
+        let graze = GRAZE * (line.distance() + radius);
+        // Most misses end here, before anything is divided.
+        if line.passes_by(origin, radius + 4.0 * graze) {
+            return None;
+        }
         let square = direction.length_squared();
         let middle = -origin.dot(direction) / square;
         let closest = origin + middle * direction;
         let mut discriminant = radius * radius - closest.length_squared();
         if discriminant < 0.0 {
             // `closest` is rounded by some ulp of the distance.
-            let graze = GRAZE * (line.distance() + radius);
             if discriminant < -2.0 * radius * graze {
                 return None;
             }

@@ -21,16 +21,10 @@ pub(super) struct Crossing {
 }
 
 /// Whether `line` passes the polytope's bounding sphere by.
-///
-/// Compares squares, which are off by a few ulp of the distance's; the margin is
-/// twice that.
 #[inline]
 pub(super) fn passes_by(polytope: &Polytope, line: &Line, growth: f64) -> bool {
-    let offset = line.origin - polytope.centre();
-    let radius = polytope.max_dist() + 4.0 * growth;
-    let along = offset.dot(line.direction);
-    let distance = offset.length_squared() * (1.0 - 32.0 * f64::EPSILON);
-    (distance - radius * radius) * line.direction.length_squared() > along * along
+    let reach = polytope.max_dist() + 4.0 * growth;
+    line.passes_by(line.origin - polytope.centre(), reach)
 }
 
 /// Whether the ray has left the polytope's bounding sphere behind.
@@ -67,7 +61,7 @@ fn first(polytope: &Polytope, origin: DVec3, direction: DVec3, growth: f64) -> O
         let room = offset + growth - normal.dot(origin);
         (normal.dot(direction), room)
     };
-    let mut face = map.against(direction, map.entry(origin, direction, 0.0));
+    let mut face = map.against(direction, map.entry(origin, direction));
     let (rate, room) = approach(face);
     if rate >= 0.0 {
         return None;

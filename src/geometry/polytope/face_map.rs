@@ -43,9 +43,10 @@ pub(crate) struct FaceMap {
     /// What rounding may do to a height, see [`facing`](Self::facing).
     height_error: f64,
     resolution: usize,
-    /// The middle of the bounds and half their extents.
+    /// The middle of the bounds, half their extents and the inverses of those.
     middle: DVec3,
     half: DVec3,
+    per_half: DVec3,
     /// By side of the bounds (−x, +x, −y, +y, −z, +z), then by the two coordinates on it.
     cells: Vec<u32>,
     lines: Vec<FaceLine>,
@@ -66,6 +67,7 @@ impl FaceMap {
             resolution: ((count as f64 / 6.0).sqrt().ceil() as usize).clamp(1, MAX_RESOLUTION),
             middle: bounds.min + half,
             half,
+            per_half: 1.0 / half,
             cells: Vec::new(),
             lines,
             sides,
@@ -103,19 +105,29 @@ impl FaceMap {
         (line.sides.get(..count)).unwrap_or_else(|| &self.sides[first..first + count])
     }
 
-    /// A face near to where a line enters the polytope grown by `radius`, or passes it by.
-    ///
-    /// Takes the polytope for the ellipsoid that fills its bounds: a guess that
-    /// needs one root and no branch. Never quite at its silhouette, where half of the faces
-    /// look away from the line. NaN gives some face.
+    /// A face near to where a line enters the polytope, or passes it by.
     #[inline]
-    pub(crate) fn entry(&self, origin: DVec3, direction: DVec3, radius: f64) -> u32 {
-        let scale = 1.0 / (self.half + radius);
+    pub(crate) fn entry(&self, origin: DVec3, direction: DVec3) -> u32 {
+        self.ellipsoid_entry(origin, direction, self.per_half)
+    }
+
+    /// The same for the polytope grown by `radius`.
+    #[inline]
+    pub(crate) fn grown_entry(&self, origin: DVec3, direction: DVec3, radius: f64) -> u32 {
+        self.ellipsoid_entry(origin, direction, 1.0 / (self.half + radius))
+    }
+
+    /// Takes the polytope for the ellipsoid that fills its bounds, whose half-axes are the inverses
+    /// of `scale`: a guess that needs one root and no branch. Never quite at its silhouette, where
+    /// half of the faces look away from the line. NaN gives some face.
+    #[inline]
+    fn ellipsoid_entry(&self, origin: DVec3, direction: DVec3, scale: DVec3) -> u32 {
         let (origin, direction) = ((origin - self.middle) * scale, direction * scale);
         let square = direction.length_squared();
         let along = origin.dot(direction);
         let room = along * along - square * (origin.length_squared() - 1.0);
-        self.near(square * origin - (along + room.max(0.1 * square).sqrt()) * direction)
+        let ahead = along + room.max(0.1 * square).sqrt();
+        self.near(square * origin - ahead * direction)
     }
 
     /// A face that looks against `direction`, near to `face` if not that one itself; none does
@@ -164,7 +176,7 @@ impl FaceMap {
     /// rounding decides.
     pub(crate) fn holds(&self, point: DVec3) -> Option<bool> {
         let outwards = point - self.inner;
-        let start = self.near((point - self.middle) / self.half);
+        let start = self.near((point - self.middle) * self.per_half);
         let (_, height) = self.facing(outwards, start);
         let error = self.height_error * height.max(1.0);
         ((height - 1.0).abs() > error).then_some(height < 1.0)
@@ -221,6 +233,7 @@ impl Default for FaceMap {
             resolution: 1,
             middle: DVec3::ZERO,
             half: DVec3::ZERO,
+            per_half: DVec3::ZERO,
             cells: Vec::new(),
             lines: Vec::new(),
             sides: Vec::new(),

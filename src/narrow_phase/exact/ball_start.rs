@@ -16,7 +16,7 @@ pub(super) fn start(cast: &Cast) -> Option<u32> {
         let room = offset + grown - normal.dot(line.origin);
         (normal.dot(line.direction), room)
     };
-    let near = map.entry(line.origin, line.direction, cast.radius);
+    let near = map.grown_entry(line.origin, line.direction, cast.radius);
     let mut face = map.against(line.direction, near);
     let (rate, room) = approach(face);
     if rate >= 0.0 {
