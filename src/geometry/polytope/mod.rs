@@ -218,7 +218,7 @@ impl Polytope {
         let (centre, max_dist) = bounding_sphere(&vertices);
         let mut polytope = Self {
             offsets: faces.offsets(&vertices, &triangles, &support, tolerance),
-            edge_map: EdgeMap::new(vertices.len(), faces.normals.len(), &faces.edges),
+            edge_map: EdgeMap::new(&vertices, &faces.edges),
             vertices,
             triangles,
             triangle_faces: faces.of_triangle,
@@ -247,11 +247,13 @@ impl Polytope {
     }
 
     /// The faces by place and neighbourhood.
+    #[inline]
     pub(crate) fn face_map(&self) -> &FaceMap {
         &self.face_map
     }
 
-    /// The edges by face and by vertex.
+    /// The edges, and those by vertex.
+    #[inline]
     pub(crate) fn edge_map(&self) -> &EdgeMap {
         &self.edge_map
     }

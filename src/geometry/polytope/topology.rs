@@ -42,6 +42,7 @@ impl Lists {
         self.starts.push(self.items.len() as u32);
     }
 
+    #[inline]
     pub(super) fn get(&self, list: usize) -> &[u32] {
         &self.items[self.starts[list] as usize..self.starts[list + 1] as usize]
     }

@@ -15,6 +15,7 @@ mod ball_cuboid;
 mod ball_line;
 mod ball_polytope;
 mod ball_start;
+mod ball_touch;
 mod ball_triangle;
 mod body;
 mod boxes;
@@ -34,6 +35,7 @@ mod summit;
 
 pub use ball_ball::ball_ball;
 pub use ball_crossing::ball_crossing;
+pub use ball_touch::ball_touch;
 pub use cast::crossing;
 pub use crossing::{Crossing, Touching};
 pub use flat::{flat_crossing, flat_touch};
