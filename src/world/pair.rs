@@ -5,7 +5,7 @@ use crate::error::{FirstContactError, StepError};
 use crate::geometry::{Feature, Pose, Shape};
 use crate::math::domain;
 use crate::motion::{FrameMotion, Motion};
-use crate::narrow_phase::exact::{Touching, crossing};
+use crate::narrow_phase::exact::{self, Touching};
 use crate::narrow_phase::overlap::overlap;
 use crate::narrow_phase::rays::{Standing, part};
 use crate::tolerance::{MAX_TIME_STEP, MIN_TIME_STEP, touch_tolerance};
@@ -279,8 +279,7 @@ impl Pair<'_> {
                 }
             }
             Solver::Exact => {
-                let found = crossing(a.shape, &pose_a, b.shape, &pose_b, motion)?;
-                let enter = found.enter;
+                let enter = exact::touch(a.shape, &pose_a, b.shape, &pose_b, motion)?;
                 // Bodies that overlap are told of elsewhere. Who is deeper in
                 // since they met than a touch is deep, and yet does not overlap, is
                 // about to leave.

@@ -1,6 +1,6 @@
 //! Any shape against any other.
 
-use super::{Crossing, Touching, ball_crossing, flat_crossing};
+use super::{Crossing, Touching, ball_crossing, ball_touch, flat_crossing, flat_touch};
 use crate::geometry::{Pose, Shape};
 use glam::DVec3;
 
@@ -35,7 +35,10 @@ pub fn crossing(
         (Shape::Sphere(ball), _) => ball_crossing(ball, between, b, pose_b.orientation, motion),
         (_, Shape::Sphere(ball)) => {
             let found = ball_crossing(ball, -between, a, pose_a.orientation, -motion)?;
-            Some(mirrored(found, between, motion))
+            Some(Crossing {
+                enter: mirrored(found.enter, between, motion),
+                ..found
+            })
         }
         _ => flat_crossing(
             a,
@@ -48,19 +51,67 @@ pub fn crossing(
     }
 }
 
-/// The crossing of a pair as its second body sees it.
-fn mirrored(found: Crossing, between: DVec3, motion: DVec3) -> Crossing {
+/// How two shapes come to touch that move straight relative to each other.
+///
+/// The entry of [`crossing`], to the last bit, at half the cost: the exit is not looked for. The
+/// whole line of the motion is looked at, so that fractions may be negative or beyond 1.
+///
+/// ```
+/// use feeler::narrow_phase::exact::touch;
+/// use feeler::{Cuboid, Feature, Pose, Shape, ShapeError, Sphere};
+/// use glam::DVec3;
+///
+/// let ball = Shape::from(Sphere::new(0.5)?);
+/// let floor = Shape::from(Cuboid::new([10.0, 10.0, 1.0])?);
+/// let above = Pose::at([2.0, 3.0, 5.5]);
+/// let cast = |motion| touch(&ball, &above, &floor, &Pose::IDENTITY, motion);
+/// let found = cast(DVec3::new(0.0, 0.0, -8.0)).expect("it falls on the floor");
+/// assert_eq!(found.fraction, 0.5);
+/// assert_eq!(found.normal, DVec3::Z);
+/// assert_eq!(found.features, [Feature::Surface, Feature::Face(5)]);
+/// assert!(cast(DVec3::X).is_none());
+/// # Ok::<(), ShapeError>(())
+/// ```
+#[must_use]
+#[inline]
+pub fn touch(
+    a: &Shape,
+    pose_a: &Pose,
+    b: &Shape,
+    pose_b: &Pose,
+    motion: DVec3,
+) -> Option<Touching> {
+    let between = pose_a.position - pose_b.position;
+    match (a, b) {
+        (Shape::Sphere(ball), _) => ball_touch(ball, between, b, pose_b.orientation, motion),
+        (_, Shape::Sphere(ball)) => {
+            let found = ball_touch(ball, -between, a, pose_a.orientation, -motion)?;
+            Some(mirrored(found, between, motion))
+        }
+        _ => flat_touch(
+            a,
+            pose_a.orientation,
+            b,
+            pose_b.orientation,
+            between,
+            motion,
+        ),
+    }
+}
+
+/// The touch of a pair as its second body sees it.
+#[inline]
+fn mirrored(found: Touching, between: DVec3, motion: DVec3) -> Touching {
     let Touching {
         fraction,
         point,
         normal,
         features: [first, second],
-    } = found.enter;
-    let enter = Touching {
+    } = found;
+    Touching {
         fraction,
         point: point + (between + fraction * motion),
         normal: -normal,
         features: [second, first],
-    };
-    Crossing { enter, ..found }
+    }
 }

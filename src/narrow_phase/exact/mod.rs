@@ -36,6 +36,6 @@ mod summit;
 pub use ball_ball::ball_ball;
 pub use ball_crossing::ball_crossing;
 pub use ball_touch::ball_touch;
-pub use cast::crossing;
+pub use cast::{crossing, touch};
 pub use crossing::{Crossing, Touching};
 pub use flat::{flat_crossing, flat_touch};

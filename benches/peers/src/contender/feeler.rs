@@ -1,8 +1,9 @@
-//! Feeler: `first_contact` for bodies, which checks its arguments and sets up a
-//! caster in each call; `first_hit_at` for rays.
+//! Feeler: exact casts of shapes; `first_contact` for bodies, which checks its arguments and
+//! with rays sets up a caster in each call; `first_hit_at` for rays.
 
 use super::{Answer, Casts, Ready};
 use crate::casts::{CastSet, Kind, Placed, Solid};
+use feeler::narrow_phase::exact::{Touching, touch};
 use feeler::{
     Body, Cuboid, Method, Motion, Polytope, Pose, Ray, RayCast, RayConfig, Shape, ShapeError,
     Sphere, Triangle, first_contact,
@@ -49,18 +50,40 @@ pub fn ray(set: &CastSet) -> Option<Box<dyn Ready>> {
     }))
 }
 
+/// The exact cast of shapes, as the peers' own casts take them.
+pub fn exact(set: &CastSet) -> Option<Box<dyn Ready>> {
+    if set.kinds[0] == Kind::Point {
+        return None;
+    }
+    let shapes = shapes(set)?;
+    let placed = |placed: &Placed| {
+        let pose = Pose::new(placed.position, placed.unit_orientation());
+        (shapes[placed.solid].clone(), pose)
+    };
+    let inputs = (set.casts.iter()).map(|cast| (placed(&cast.a), placed(&cast.b), cast.motion));
+    Some(Box::new(Casts {
+        inputs: inputs.collect(),
+        cast: |((a, pose_a), (b, pose_b), motion): &((Shape, Pose), (Shape, Pose), DVec3)| {
+            touch(a, pose_a, b, pose_b, *motion)
+        },
+        read: |_: &_, found: Option<Touching>| {
+            let found = found?;
+            (0.0..=1.0).contains(&found.fraction).then_some(Answer {
+                fraction: found.fraction,
+                normal: found.normal,
+            })
+        },
+    }))
+}
+
+/// The same for bodies with motions, arguments checked in each call.
+pub fn first(set: &CastSet) -> Option<Box<dyn Ready>> {
+    bodies(set, Method::Exact)
+}
+
 /// The ray method as it is by default.
 pub fn hundred_rays(set: &CastSet) -> Option<Box<dyn Ready>> {
     bodies(set, Method::Rays(RayConfig::default()))
-}
-
-/// With four times as many rays.
-pub fn four_hundred_rays(set: &CastSet) -> Option<Box<dyn Ready>> {
-    let config = RayConfig {
-        rays: 400,
-        ..RayConfig::default()
-    };
-    bodies(set, Method::Rays(config))
 }
 
 /// A body against a body, by whatever method.

@@ -77,8 +77,9 @@ pub fn all() -> Vec<Contender> {
     };
     vec![
         contender("feeler ray", DOUBLE, feeler::ray),
+        contender("feeler exact", DOUBLE, feeler::exact),
+        contender("feeler first_contact", DOUBLE, feeler::first),
         contender("feeler 100 rays", DOUBLE, feeler::hundred_rays),
-        contender("feeler 400 rays", DOUBLE, feeler::four_hundred_rays),
         contender("parry f64", DOUBLE, parry::double::prepare),
         contender("parry f32", SINGLE, parry::single::prepare),
         contender("box3d f32", SINGLE, box3d::prepare),
