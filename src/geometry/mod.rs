@@ -22,6 +22,7 @@ pub use aabb::Aabb;
 pub use cuboid::Cuboid;
 pub use feature::Feature;
 pub use obb::Obb;
+pub(crate) use polytope::Lanes;
 pub use polytope::{Edge, Face, Polytope};
 pub use pose::Pose;
 pub use ray::Ray;

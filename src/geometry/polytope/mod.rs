@@ -5,6 +5,7 @@ mod edge_map;
 mod face_map;
 mod faces;
 mod hull;
+mod lanes;
 mod mesh_check;
 mod orient;
 mod simplex;
@@ -21,6 +22,7 @@ use face_map::FaceMap;
 use faces::Faces;
 use glam::DVec3;
 use hull::convex_hull;
+pub(crate) use lanes::Lanes;
 use support::Support;
 use topology::{Lists, vertex_neighbours};
 
@@ -97,6 +99,8 @@ pub struct Polytope {
     support: Support,
     face_map: FaceMap,
     edge_map: EdgeMap,
+    /// The vertices about the centre, if there are few.
+    lanes: Vec<Lanes>,
     centre: DVec3,
     max_dist: f64,
 }
@@ -216,7 +220,13 @@ impl Polytope {
         tolerance: f64,
     ) -> Self {
         let (centre, max_dist) = bounding_sphere(&vertices);
+        let lanes = if vertices.len() <= Lanes::FEW {
+            Lanes::list(&vertices, centre)
+        } else {
+            Vec::new()
+        };
         let mut polytope = Self {
+            lanes,
             offsets: faces.offsets(&vertices, &triangles, &support, tolerance),
             edge_map: EdgeMap::new(&vertices, &faces.edges),
             vertices,
@@ -250,6 +260,12 @@ impl Polytope {
     #[inline]
     pub(crate) fn face_map(&self) -> &FaceMap {
         &self.face_map
+    }
+
+    /// The vertices as seen from the centre, four by four; none if they are many.
+    #[inline]
+    pub(crate) fn lanes(&self) -> &[Lanes] {
+        &self.lanes
     }
 
     /// The edges, and those by vertex.

@@ -20,6 +20,7 @@ pub(super) struct Body<'a> {
 
 impl<'a> Body<'a> {
     /// None for a sphere.
+    #[inline(always)]
     pub(super) fn new(shape: &'a Shape, orientation: DQuat) -> Option<Self> {
         let (centre, radius) = match shape {
             Shape::Sphere(_) => return None,

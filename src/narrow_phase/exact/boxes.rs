@@ -2,7 +2,6 @@
 
 use super::edges::edge_normal;
 use super::pair::{Pair, STEEP};
-use super::slab::Slabs;
 use super::snap::{FEATURE, Place, Touch};
 use crate::geometry::{Cuboid, Feature};
 use glam::{DMat3, DVec3};
@@ -20,6 +19,85 @@ enum Axis {
     A(usize),
     B(usize),
     Edges(usize, usize),
+}
+
+impl Axis {
+    /// By its place among the fifteen: B's, A's, then B's three across each of A's.
+    fn of(place: usize) -> Self {
+        match place {
+            0..3 => Self::B(place),
+            3..6 => Self::A(place - 3),
+            _ => Self::Edges((place - 6) / 3, (place - 6) % 3),
+        }
+    }
+}
+
+/// When the fifteen slabs are entered and left.
+///
+/// All are written down before any is compared, so that the processor works on several at
+/// once. Lengths are grown by what rounding may do to them: entries are as early and exits as
+/// late as it allows.
+struct Spans {
+    enter: [f64; 15],
+    leave: [f64; 15],
+    rounding: f64,
+}
+
+impl Spans {
+    #[inline]
+    fn new(rounding: f64) -> Self {
+        Self {
+            enter: [f64::NEG_INFINITY; 15],
+            leave: [f64::INFINITY; 15],
+            rounding,
+        }
+    }
+
+    /// The slab `|height| ≤ reach` around a point at `height` that moves by `speed`.
+    #[inline]
+    fn put(&mut self, place: usize, reach: f64, height: f64, speed: f64) {
+        let reach = reach + self.rounding;
+        // A speed of zero gives infinities of the right signs, or NaN on the
+        // very surface, which every comparison passes over.
+        let per_speed = 1.0 / speed;
+        let (low, high) = ((-reach - height) * per_speed, (reach - height) * per_speed);
+        let forward = per_speed > 0.0;
+        self.enter[place] = if forward { low } else { high };
+        self.leave[place] = if forward { high } else { low };
+    }
+
+    fn clear(&mut self, place: usize) {
+        self.enter[place] = f64::NEG_INFINITY;
+        self.leave[place] = f64::INFINITY;
+    }
+
+    #[inline]
+    fn ends(&self) -> (f64, f64) {
+        let later = |late: f64, &time: &f64| if time > late { time } else { late };
+        let sooner = |soon: f64, &time: &f64| if time < soon { time } else { soon };
+        (
+            self.enter.iter().fold(f64::NEG_INFINITY, later),
+            self.leave.iter().fold(f64::INFINITY, sooner),
+        )
+    }
+
+    #[inline]
+    fn miss(&self) -> bool {
+        let (enter, leave) = self.ends();
+        enter > leave
+    }
+
+    /// The slab entered last, and when; none if another is left before.
+    #[inline]
+    fn last(&self) -> Option<(usize, f64)> {
+        let (enter, leave) = self.ends();
+        if enter > leave {
+            return None;
+        }
+        #[expect(clippy::float_cmp, reason = "it is one of them")]
+        let place = self.enter.iter().position(|&time| time == enter)?;
+        Some((place, enter))
+    }
 }
 
 /// What a sweep finds.
@@ -73,66 +151,70 @@ impl<'a> Boxes<'a> {
             axes,
             ..
         } = self;
-        let rounding = self.pair.rounding;
         let sizes = axes.map(|axis| axis.map(f64::abs));
         let (centre, motion) = (self.centre.to_array(), self.motion.to_array());
-        let mut slabs = Slabs::new();
+        let mut spans = Spans::new(self.pair.rounding);
         for i in 0..3 {
             let reach = half_b[i]
                 + (sizes[0][i] * half_a[0] + sizes[1][i] * half_a[1] + sizes[2][i] * half_a[2]);
-            slabs.slab(reach, centre[i], motion[i], rounding, Axis::B(i));
-        }
-        if slabs.miss() {
-            return None;
+            spans.put(i, reach, centre[i], motion[i]);
         }
         for j in 0..3 {
-            let dot = |vector: &[f64; 3]| {
-                axes[j][0] * vector[0] + axes[j][1] * vector[1] + axes[j][2] * vector[2]
-            };
+            let dot = |[x, y, z]: &[f64; 3]| axes[j][0] * x + axes[j][1] * y + axes[j][2] * z;
             let reach = half_a[j]
                 + (sizes[j][0] * half_b[0] + sizes[j][1] * half_b[1] + sizes[j][2] * half_b[2]);
-            slabs.slab(reach, dot(&centre), dot(&motion), rounding, Axis::A(j));
+            spans.put(3 + j, reach, dot(&centre), dot(&motion));
         }
-        if slabs.miss() {
+        if spans.miss() {
             return None;
         }
+        let mut nearly_parallel = false;
         for j in 0..3 {
             let (axis, size) = (&axes[j], &sizes[j]);
-            let (p, q) = ((j + 1) % 3, (j + 2) % 3);
-            #[expect(clippy::needless_range_loop, reason = "i counts axes, not sizes alone")]
+            let (p, q) = (&sizes[(j + 1) % 3], &sizes[(j + 2) % 3]);
+            let (half_p, half_q) = (half_a[(j + 1) % 3], half_a[(j + 2) % 3]);
             for i in 0..3 {
                 let (u, v) = ((i + 1) % 3, (i + 2) % 3);
                 // B's i-th axis times A's j-th: −axis[v] along u, axis[u] along v.
-                let squared = axis[u] * axis[u] + axis[v] * axis[v];
-                if squared < CAREFUL {
-                    if squared > PARALLEL {
-                        self.careful(&mut slabs, (j, i));
-                    }
-                    continue;
-                }
-                let reach = half_b[u] * size[v]
-                    + half_b[v] * size[u]
-                    + half_a[p] * sizes[q][i]
-                    + half_a[q] * sizes[p][i];
+                nearly_parallel |= axis[u] * axis[u] + axis[v] * axis[v] < CAREFUL;
+                let reach =
+                    half_b[u] * size[v] + half_b[v] * size[u] + half_p * q[i] + half_q * p[i];
                 let height = axis[u] * centre[v] - axis[v] * centre[u];
                 let speed = axis[u] * motion[v] - axis[v] * motion[u];
-                slabs.slab(reach, height, speed, rounding, Axis::Edges(j, i));
+                spans.put(6 + 3 * j + i, reach, height, speed);
             }
         }
-        let by = slabs.enter_by?;
-        (!slabs.miss()).then_some((by, slabs.enter))
+        if nearly_parallel {
+            self.mend(&mut spans);
+        }
+        spans.last().map(|(by, enter)| (Axis::of(by), enter))
     }
 
-    /// An axis of two nearly parallel edges, measured along its unit vector.
+    /// Measures the axes of nearly parallel edges once more, along unit vectors.
     #[cold]
-    fn careful(&self, slabs: &mut Slabs<Axis>, (j, i): (usize, usize)) {
-        if let Some(normal) = edge_normal(self.turn.col(j), DVec3::AXES[i]) {
-            let reach = (self.turn.transpose() * normal)
-                .abs()
-                .dot(DVec3::from_array(self.half_a))
-                + normal.abs().dot(DVec3::from_array(self.half_b));
-            let (height, speed) = (normal.dot(self.centre), normal.dot(self.motion));
-            slabs.slab(reach, height, speed, self.pair.rounding, Axis::Edges(j, i));
+    fn mend(&self, spans: &mut Spans) {
+        for j in 0..3 {
+            for i in 0..3 {
+                let axis = &self.axes[j];
+                let (u, v) = ((i + 1) % 3, (i + 2) % 3);
+                let squared = axis[u] * axis[u] + axis[v] * axis[v];
+                if squared >= CAREFUL {
+                    continue;
+                }
+                let by = 6 + 3 * j + i;
+                spans.clear(by);
+                if squared <= PARALLEL {
+                    continue;
+                }
+                if let Some(normal) = edge_normal(self.turn.col(j), DVec3::AXES[i]) {
+                    let reach = (self.turn.transpose() * normal)
+                        .abs()
+                        .dot(DVec3::from_array(self.half_a))
+                        + normal.abs().dot(DVec3::from_array(self.half_b));
+                    let (height, speed) = (normal.dot(self.centre), normal.dot(self.motion));
+                    spans.put(by, reach, height, speed);
+                }
+            }
         }
     }
 

@@ -1,38 +1,60 @@
 //! The farthest vertex of a body, again and again.
 
 use super::body::Body;
-use crate::geometry::{Polytope, Shape};
+use crate::geometry::{Lanes, Polytope, Shape};
 use glam::{DMat3, DVec3};
 
-/// Vertices compared side by side: two registers of SSE2.
-const LANES: usize = 4;
-
-/// Up to this many vertices are all compared; a polytope with more is climbed. Measured by
-/// `benches/exact_flat.rs`; only time depends on it.
-const FEW: usize = 24;
+/// Room for a few vertices.
+pub(super) type Few = [Lanes; Lanes::BLOCKS];
 
 /// A body's vertices along the axes of a search, about the body's centre.
-#[expect(
-    clippy::large_enum_variant,
-    reason = "lives on the stack for one cast; boxed it would cost an allocation"
-)]
 pub(super) enum Extremes<'a> {
-    Few(Cloud),
+    Few(&'a [Lanes]),
     Many(Climber<'a>),
 }
 
 impl<'a> Extremes<'a> {
     /// `turn` leads from the shape's frame to the search's.
-    #[inline]
-    pub(super) fn new(body: &Body<'a>, turn: &DMat3) -> Self {
+    #[inline(always)]
+    pub(super) fn turned(body: &Body<'a>, turn: &DMat3, few: &'a mut Few) -> Self {
+        let axes = [turn.x_axis, turn.y_axis, turn.z_axis];
+        let used = match body.shape {
+            Shape::Sphere(_) => 0,
+            Shape::Cuboid(cuboid) => {
+                let half = cuboid.half_extents();
+                let [x, y, z] = [half.x * axes[0], half.y * axes[1], half.z * axes[2]];
+                let (sum, difference) = (x + y, x - y);
+                few[0] = Lanes::new([-sum - z, difference - z, -difference - z, sum - z]);
+                few[1] = Lanes::new([-sum + z, difference + z, -difference + z, sum + z]);
+                2
+            }
+            Shape::Triangle(triangle) => {
+                let [a, b, c] = triangle.vertices().map(|v| *turn * (v - body.centre));
+                few[0] = Lanes::new([a, b, c, DVec3::NAN]);
+                1
+            }
+            Shape::Polytope(polytope) => {
+                let lanes = polytope.lanes();
+                if lanes.is_empty() {
+                    return Self::Many(Climber::new(polytope, body, turn));
+                }
+                for (turned, lanes) in few.iter_mut().zip(lanes) {
+                    *turned = lanes.turned(axes);
+                }
+                lanes.len()
+            }
+        };
+        Self::Few(&few[..used])
+    }
+
+    /// The same where the search's frame is the shape's.
+    #[inline(always)]
+    pub(super) fn standing(body: &Body<'a>, few: &'a mut Few) -> Self {
         match body.shape {
-            Shape::Polytope(polytope) if polytope.vertices().len() > FEW => Self::Many(Climber {
-                polytope,
-                centre: body.centre,
-                turn: *turn,
-                last: polytope.support(DVec3::ZERO),
-            }),
-            _ => Self::Few(Cloud::new(body, turn)),
+            Shape::Polytope(polytope) if !polytope.lanes().is_empty() => {
+                Self::Few(polytope.lanes())
+            }
+            _ => Self::turned(body, &DMat3::IDENTITY, few),
         }
     }
 
@@ -40,7 +62,7 @@ impl<'a> Extremes<'a> {
     #[inline]
     pub(super) fn farthest(&mut self, direction: DVec3) -> (u32, DVec3) {
         match self {
-            Self::Few(cloud) => cloud.farthest(direction),
+            Self::Few(lanes) => Lanes::farthest(lanes, direction),
             Self::Many(climber) => climber.farthest(direction),
         }
     }
@@ -49,103 +71,38 @@ impl<'a> Extremes<'a> {
     #[inline]
     pub(super) fn farthest_nearby(&mut self, direction: DVec3) -> (u32, DVec3) {
         match self {
-            Self::Few(cloud) => cloud.farthest(direction),
+            Self::Few(lanes) => Lanes::farthest(lanes, direction),
             Self::Many(climber) => climber.farthest_nearby(direction),
         }
     }
-}
 
-/// A few vertices, turned once and compared side by side.
-pub(super) struct Cloud {
-    blocks: [Block; FEW / LANES],
-    used: usize,
-}
-
-#[derive(Clone, Copy)]
-struct Block {
-    x: [f64; LANES],
-    y: [f64; LANES],
-    z: [f64; LANES],
-}
-
-impl Cloud {
+    /// Where a vertex is.
     #[inline]
-    fn new(body: &Body, turn: &DMat3) -> Self {
-        let mut cloud = Self {
-            blocks: [Block {
-                x: [0.0; LANES],
-                y: [0.0; LANES],
-                z: [0.0; LANES],
-            }; FEW / LANES],
-            used: 0,
-        };
-        match body.shape {
-            Shape::Sphere(_) => {}
-            Shape::Cuboid(cuboid) => {
-                let half = cuboid.half_extents();
-                let (x, y, z) = (
-                    half.x * turn.x_axis,
-                    half.y * turn.y_axis,
-                    half.z * turn.z_axis,
-                );
-                let (sum, difference) = (x + y, x - y);
-                cloud.fill(&[-sum - z, difference - z, -difference - z, sum - z]);
-                cloud.fill(&[-sum + z, difference + z, -difference + z, sum + z]);
-            }
-            Shape::Triangle(triangle) => {
-                let [a, b, c] = triangle.vertices().map(|v| *turn * (v - body.centre));
-                cloud.fill(&[a, b, c]);
-            }
-            Shape::Polytope(polytope) => {
-                for four in polytope.vertices().chunks(LANES) {
-                    let mut turned = [DVec3::ZERO; LANES];
-                    for (turned, vertex) in turned.iter_mut().zip(four) {
-                        *turned = *turn * (*vertex - body.centre);
-                    }
-                    cloud.fill(&turned[..four.len()]);
-                }
-            }
+    pub(super) fn vertex(&self, number: u32) -> DVec3 {
+        match self {
+            Self::Few(lanes) => Lanes::vertex(lanes, number),
+            Self::Many(climber) => climber.place(number),
         }
-        cloud
     }
 
-    /// One more block; lanes left over repeat the first vertex.
+    /// Whether all vertices but these lie lower along a unit vector, by more than `margin`.
+    ///
+    /// The body is convex: of many vertices only neighbours need be looked at.
     #[inline]
-    fn fill(&mut self, vertices: &[DVec3]) {
-        let (Some(block), Some(&first)) = (self.blocks.get_mut(self.used), vertices.first()) else {
-            debug_assert!(false, "more vertices than a cloud has room for");
-            return;
-        };
-        for lane in 0..LANES {
-            let vertex = vertices.get(lane).copied().unwrap_or(first);
-            (block.x[lane], block.y[lane], block.z[lane]) = (vertex.x, vertex.y, vertex.z);
-        }
-        self.used += 1;
-    }
-
-    #[inline]
-    fn farthest(&self, direction: DVec3) -> (u32, DVec3) {
-        let mut most = [f64::NEG_INFINITY; LANES];
-        // As numbers of the heights' own width, so that both are chosen by one mask.
-        let mut blocks = [0.0; LANES];
-        for (number, block) in self.blocks.iter().take(self.used).enumerate() {
-            for lane in 0..LANES {
-                let height = direction.x * block.x[lane]
-                    + direction.y * block.y[lane]
-                    + direction.z * block.z[lane];
-                let higher = height > most[lane];
-                most[lane] = if higher { height } else { most[lane] };
-                blocks[lane] = if higher { number as f64 } else { blocks[lane] };
+    pub(super) fn stand_out<const N: usize>(
+        &self,
+        vertices: [u32; N],
+        direction: DVec3,
+        margin: f64,
+    ) -> bool {
+        match self {
+            Self::Few(lanes) => {
+                let heights = vertices.map(|vertex| direction.dot(Lanes::vertex(lanes, vertex)));
+                let floor = heights.into_iter().fold(f64::INFINITY, f64::min) - margin;
+                Lanes::count_above(lanes, direction, floor) == N
             }
+            Self::Many(climber) => climber.stand_out(&vertices, direction, margin),
         }
-        let upper = |i: usize, j: usize| if most[j] > most[i] { j } else { i };
-        let (low, high) = (upper(0, 1), upper(2, 3));
-        let lane = upper(low, high);
-        let block = blocks[lane] as usize;
-        let Block { x, y, z } = &self.blocks[block];
-        let place = DVec3::new(x[lane], y[lane], z[lane]);
-        // A lane that repeats its block's first vertex never is the only highest.
-        ((LANES * block + lane) as u32, place)
     }
 }
 
@@ -157,20 +114,42 @@ pub(super) struct Climber<'a> {
     last: u32,
 }
 
-impl Climber<'_> {
+impl<'a> Climber<'a> {
+    fn new(polytope: &'a Polytope, body: &Body<'a>, turn: &DMat3) -> Self {
+        Self {
+            polytope,
+            centre: body.centre,
+            turn: *turn,
+            last: 0,
+        }
+    }
+
     fn farthest(&mut self, direction: DVec3) -> (u32, DVec3) {
         self.last = self.polytope.support(self.turn.transpose() * direction);
-        self.here()
+        (self.last, self.place(self.last))
     }
 
     fn farthest_nearby(&mut self, direction: DVec3) -> (u32, DVec3) {
         let direction = self.turn.transpose() * direction;
         self.last = self.polytope.support_near(direction, self.last);
-        self.here()
+        (self.last, self.place(self.last))
     }
 
-    fn here(&self) -> (u32, DVec3) {
-        let place = self.polytope.vertices()[self.last as usize] - self.centre;
-        (self.last, self.turn * place)
+    #[inline]
+    fn place(&self, vertex: u32) -> DVec3 {
+        self.turn * (self.polytope.vertices()[vertex as usize] - self.centre)
+    }
+
+    fn stand_out(&self, vertices: &[u32], direction: DVec3, margin: f64) -> bool {
+        let direction = self.turn.transpose() * direction;
+        let places = self.polytope.vertices();
+        vertices.iter().all(|&vertex| {
+            let here = places[vertex as usize];
+            let neighbours = self.polytope.neighbours(vertex);
+            let lower = |&other: &u32| {
+                vertices.contains(&other) || direction.dot(here - places[other as usize]) > margin
+            };
+            !neighbours.is_empty() && neighbours.iter().all(lower)
+        })
     }
 }

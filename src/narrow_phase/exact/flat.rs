@@ -6,7 +6,7 @@ use super::faces;
 use super::pair::Pair;
 use super::portal::{Found, Probe, Shadow};
 use super::snap::{Place, Touch};
-use crate::geometry::Shape;
+use crate::geometry::{Lanes, Shape};
 use glam::{DQuat, DVec3};
 
 /// When `a`, moving straight past `b`, touches it and parts from it.
@@ -123,7 +123,7 @@ struct Cast<'a> {
 }
 
 impl<'a> Cast<'a> {
-    #[inline]
+    #[inline(always)]
     fn new(
         a: (&'a Shape, DQuat),
         b: (&'a Shape, DQuat),
@@ -206,7 +206,8 @@ fn touch(pair: &Pair) -> Option<Touch> {
             Swept::Unclear(normal, time) => Some(careful(pair, normal, time)),
         };
     }
-    let mut shadow = Shadow::new(pair);
+    let mut few = [[Lanes::EMPTY; Lanes::BLOCKS]; 2];
+    let mut shadow = Shadow::new(pair, &mut few);
     let found = match shadow.enclose() {
         Found::Yes(probes) => entry(&mut shadow, probes),
         Found::Miss => return None,

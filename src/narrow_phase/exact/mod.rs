@@ -20,6 +20,7 @@ mod ball_triangle;
 mod body;
 mod boxes;
 mod cast;
+mod corners;
 mod crossing;
 mod edges;
 mod extremes;
@@ -31,7 +32,6 @@ mod portal;
 mod settle;
 mod slab;
 mod snap;
-mod summit;
 
 pub use ball_ball::ball_ball;
 pub use ball_crossing::ball_crossing;

@@ -32,6 +32,7 @@ pub(super) struct Pair<'a> {
 
 impl<'a> Pair<'a> {
     /// None if one of the shapes is a sphere.
+    #[inline(always)]
     pub(super) fn new(
         (a, orientation_a): (&'a Shape, DQuat),
         (b, orientation_b): (&'a Shape, DQuat),
@@ -65,6 +66,7 @@ impl<'a> Pair<'a> {
     }
 
     /// Whether the bounding spheres pass each other by.
+    #[inline]
     pub(super) fn spheres_miss(&self) -> bool {
         let reach = self.size + self.rounding;
         // Rounding of the offset grows with its length.

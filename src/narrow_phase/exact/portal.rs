@@ -6,7 +6,7 @@
 //! Source: Snethen, *XenoCollide* (2008), with the ray's own direction in place of
 //! the one to the origin.
 
-use super::extremes::Extremes;
+use super::extremes::{Extremes, Few};
 use super::pair::Pair;
 use glam::{DMat3, DVec3};
 
@@ -70,13 +70,13 @@ pub(super) struct Shadow<'a> {
     ray: DVec3,
     /// Up to this distance in metres what passes by counts as touching.
     shift: f64,
-    a: Extremes<'a>,
-    b: Extremes<'a>,
+    pub(super) a: Extremes<'a>,
+    pub(super) b: Extremes<'a>,
 }
 
 impl<'a> Shadow<'a> {
-    #[inline]
-    pub(super) fn new(pair: &'a Pair) -> Self {
+    #[inline(always)]
+    pub(super) fn new(pair: &'a Pair, [few_a, few_b]: &'a mut [Few; 2]) -> Self {
         let to_b = pair.b.rotation.transpose();
         let turn = to_b * pair.a.rotation;
         let shift = SHIFT * pair.rounding;
@@ -90,8 +90,8 @@ impl<'a> Shadow<'a> {
             nearest,
             ray: nearest + 0.25 * shift * ASIDE,
             shift,
-            a: Extremes::new(&pair.a, &turn),
-            b: Extremes::new(&pair.b, &DMat3::IDENTITY),
+            a: Extremes::turned(&pair.a, &turn, few_a),
+            b: Extremes::standing(&pair.b, few_b),
         }
     }
 

@@ -2,7 +2,7 @@
 
 use super::pair::STEEP;
 use super::portal::{Portal, Shadow};
-use super::snap::{Place, Touch};
+use super::snap::{FEATURE, Place, Touch};
 use crate::geometry::Feature;
 use glam::DVec3;
 
@@ -47,48 +47,46 @@ impl Shadow<'_> {
     fn vertex_on_face(&self, portal: &Portal, vertex: u32, corners: [u32; 3]) -> Option<Touch> {
         let (a, b) = (&self.pair.a, &self.pair.b);
         let (face, normal) = b.face_through(corners, portal.normal)?;
-        if !a.peaks_at(vertex, self.turn.transpose() * -normal) {
+        if !self.a.stand_out([vertex], -normal, FEATURE * a.radius) {
             return None;
         }
-        let height = |corner| normal.dot(b.local(corner));
+        let place = self.a.vertex(vertex);
+        let height = |corner| normal.dot(self.b.vertex(corner));
         let top = corners.map(height).into_iter().fold(f64::MIN, f64::max);
-        let local = a.local(vertex);
-        let height = top - normal.dot(self.turn * local);
-        let (time, normal) = self.time(portal, normal, height)?;
+        let (time, outward) = self.time(portal, normal, top - normal.dot(place))?;
         Some(Touch {
             time,
-            normal,
+            normal: outward,
             features: [Feature::Vertex(vertex), Feature::Face(face)],
-            point: Place::OnA(a.rotation * local),
+            point: Place::OnA(b.rotation * place),
             certain: true,
         })
     }
 
     fn face_on_vertex(&self, portal: &Portal, corners: [u32; 3], vertex: u32) -> Option<Touch> {
         let (a, b) = (&self.pair.a, &self.pair.b);
-        let (face, outward) = a.face_through(corners, self.turn.transpose() * -portal.normal)?;
-        let normal = -(self.turn * outward);
-        if !b.peaks_at(vertex, normal) {
+        let (face, inward) = a.face_through(corners, self.turn.transpose() * -portal.normal)?;
+        let normal = -(self.turn * inward);
+        if !self.b.stand_out([vertex], normal, FEATURE * b.radius) {
             return None;
         }
-        let height = |corner| outward.dot(a.local(corner));
-        let top = corners.map(height).into_iter().fold(f64::MIN, f64::max);
-        let local = b.local(vertex);
-        let height = top + normal.dot(local);
-        let (time, normal) = self.time(portal, normal, height)?;
+        let place = self.b.vertex(vertex);
+        let height = |corner| normal.dot(self.a.vertex(corner));
+        let bottom = corners.map(height).into_iter().fold(f64::MAX, f64::min);
+        let (time, outward) = self.time(portal, normal, normal.dot(place) - bottom)?;
         Some(Touch {
             time,
-            normal,
+            normal: outward,
             features: [Feature::Face(face), Feature::Vertex(vertex)],
-            point: Place::OnB(b.rotation * local),
+            point: Place::OnB(b.rotation * place),
             certain: true,
         })
     }
 
     fn edge_on_edge(&self, portal: &Portal, ends_a: [u32; 2], ends_b: [u32; 2]) -> Option<Touch> {
         let (a, b) = (&self.pair.a, &self.pair.b);
-        let [from_a, to_a] = ends_a.map(|vertex| self.turn * a.local(vertex));
-        let [from_b, to_b] = ends_b.map(|vertex| b.local(vertex));
+        let [from_a, to_a] = ends_a.map(|vertex| self.a.vertex(vertex));
+        let [from_b, to_b] = ends_b.map(|vertex| self.b.vertex(vertex));
         let (along_a, along_b) = (to_a - from_a, to_b - from_b);
         let cross = along_a.cross(along_b);
         let square = cross.length_squared();
@@ -96,17 +94,20 @@ impl Shadow<'_> {
             return None;
         }
         let normal = cross * (1.0_f64.copysign(cross.dot(portal.normal)) / square.sqrt());
-        let edge_b = b.crests_at(ends_b, normal)?;
-        let edge_a = a.crests_at(ends_a, self.turn.transpose() * -normal)?;
-        let height = normal.dot(from_b - from_a);
-        let (time, normal) = self.time(portal, normal, height)?;
+        if !(self.b.stand_out(ends_b, normal, FEATURE * b.radius)
+            && self.a.stand_out(ends_a, -normal, FEATURE * a.radius))
+        {
+            return None;
+        }
+        let (edge_a, edge_b) = (a.edge_between(ends_a)?, b.edge_between(ends_b)?);
+        let (time, outward) = self.time(portal, normal, normal.dot(from_b - from_a))?;
         // Where B's edge crosses A's, seen along the normal.
         let to_a = self.nearest + (time - self.pair.nearest_distance) * self.along;
         let share = along_a.cross(from_a + to_a - from_b).dot(cross) / square;
         let point = from_b + share.clamp(0.0, 1.0) * along_b;
         Some(Touch {
             time,
-            normal,
+            normal: outward,
             features: [Feature::Edge(edge_a), Feature::Edge(edge_b)],
             point: Place::OnB(b.rotation * point),
             certain: true,

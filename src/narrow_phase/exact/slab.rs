@@ -22,19 +22,6 @@ impl<T: Copy> Slabs<T> {
         }
     }
 
-    /// The slab `|height| ≤ reach` around a point at `height` that moves by `speed`;
-    /// `rounding` goes with both lengths.
-    #[inline]
-    pub(super) fn slab(&mut self, reach: f64, height: f64, speed: f64, rounding: f64, by: T) {
-        let reach = reach + rounding;
-        // A speed of zero gives infinities of the right signs, or NaN on the
-        // very surface, which every comparison below passes over.
-        let per_speed = 1.0 / speed.abs();
-        let height = if speed < 0.0 { -height } else { height };
-        self.enter_at((-reach - height) * per_speed, by);
-        self.leave_at((reach - height) * per_speed);
-    }
-
     /// The half-space in which the point lies `depth` deep and sinks by `speed`.
     pub(super) fn half_space(&mut self, depth: f64, speed: f64, rounding: f64, by: T) {
         let depth = depth + rounding;
