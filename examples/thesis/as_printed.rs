@@ -58,7 +58,11 @@ pub(crate) fn first_touch(scene: &Scene, rays: u32, frames: u64) -> Option<Touch
         });
         let (hit, ray) = hits.min_by(|x, y| x.0.fraction.total_cmp(&y.0.fraction))?;
         Some(Touch {
-            time: if both_move { time } else { time + hit.fraction * step },
+            time: if both_move {
+                time
+            } else {
+                time + hit.fraction * step
+            },
             point: ray.at(hit.fraction),
             normal: hit.normal,
         })

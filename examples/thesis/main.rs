@@ -14,6 +14,7 @@ mod accuracy;
 mod agreement;
 mod as_printed;
 mod csv;
+mod errors;
 mod plots;
 mod report;
 mod scene_file;
@@ -62,6 +63,8 @@ fn run_all() -> Result<(), Box<dyn Error>> {
             all_times.extend(times);
         }
     }
+    eprintln!("errors against rays ...");
+    errors::plot(&files, &folder.join("errors.svg"))?;
     std::fs::write(folder.join("accuracy.csv"), &accuracy.0)?;
     std::fs::write(folder.join("timing.csv"), csv::timing(&all_times))?;
     eprintln!("written to {}", folder.display());
