@@ -362,6 +362,28 @@ fn the_thesis_points_on_curves_are_reproduced() {
     assert_none(&wrong);
 }
 
+/// On the paths of the thesis's text, which its program did not fly, its method as
+/// it describes it agrees differently: worse in scene 7, better in scene 9.
+#[test]
+fn the_thesis_method_on_the_paths_of_the_text() {
+    for (id, least, best) in [("scene-7", 97.0, 99.6), ("scene-9", 87.9, 99.99)] {
+        let file = scene(id);
+        let expected = file.thesis.point.expect("a point is expected");
+        let rays = file.ray_counts().into_iter();
+        let agreements = rays
+            .filter(|&rays| id == "scene-7" || rays >= 5)
+            .map(|rays| {
+                let touch = first_touch(&file.scene, Settings::Thesis.method(rays, 10));
+                let touch = touch.expect("it runs").expect("there is a contact");
+                agreement(touch.point.to_array(), expected)
+            });
+        let mut agreements: Vec<f64> = agreements.collect();
+        agreements.sort_by(f64::total_cmp);
+        let ends = [agreements[0], agreements[agreements.len() - 1]];
+        assert!(least <= ends[0] && ends[1] <= best, "{id}: {ends:?}");
+    }
+}
+
 /// Moved towards the path in steps of 0.1 the ball is first found at 1.9, as there.
 #[test]
 fn the_thesis_finds_a_graze_where_it_says() {

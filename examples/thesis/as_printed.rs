@@ -1,9 +1,11 @@
 //! The frame loop of the thesis's program for two balls on curves, as its printed
 //! points show it to have been.
 //!
-//! On curves the program did not do what the thesis describes. Its points in scenes 7
-//! to 9 tell how it went about it; what the crate calls the thesis's method follows the
-//! text. This loop follows the program, so that its figures there can be compared with:
+//! On curves the program did not do what the thesis describes; what the crate calls
+//! the thesis's method, [`RayConfig::thesis`](feeler::RayConfig::thesis), follows the
+//! text. This loop follows the program, so that its figures can be compared with. It is
+//! a reconstruction: inferred from the points printed for scenes 7 to 9, as
+//! nothing else is known of the program, and within 1 cm of them in scenes 7 and 9.
 //!
 //! - Tangents were not divided by 3 on the way from Hermite to Bézier. That is in
 //!   the scene files, where paths with tangents three times as long stand.

@@ -19,8 +19,11 @@ impl Accuracy {
 
     /// One run; fields without a figure stay empty.
     pub(crate) fn push(&mut self, scene: &str, run: &Run, thesis: Option<f64>) {
-        let sampled = run.settings != Settings::Exact;
-        let if_sampled = |number: u64| sampled.then(|| number.to_string()).unwrap_or_default();
+        // The exact method knows neither rays nor seeds.
+        let if_sampled = |number: u64| match run.settings {
+            Settings::Exact => String::new(),
+            Settings::Thesis | Settings::Rays => number.to_string(),
+        };
         let mut fields = vec![
             scene.to_owned(),
             run.settings.name().to_owned(),
