@@ -1,5 +1,5 @@
-//! The thesis's scenes: what it found, what its method finds here, and what the
-//! default rays find.
+//! The thesis's scenes: what it found, what its method finds here, and what aimed
+//! rays and the exact method find.
 
 #![allow(
     clippy::expect_used,
@@ -12,11 +12,13 @@
 mod accuracy;
 #[path = "../examples/thesis/agreement.rs"]
 mod agreement;
+#[path = "../examples/thesis/as_printed.rs"]
+mod as_printed;
 #[allow(dead_code, reason = "the example reads the rest")]
 #[path = "../examples/thesis/scene_file.rs"]
 mod scene_file;
 
-use accuracy::{SEEDS, Settings, first_touch, median, run, runs};
+use accuracy::{SEEDS, Settings, exact, first_touch, frames, median, run, runs};
 use agreement::agreement;
 use glam::DVec3;
 use scene_file::{Acceleration, SceneFile, SceneFileError};
@@ -146,7 +148,7 @@ fn head_on_scenes_agree_from_one_ray() {
     for id in ["scene-1", "scene-3", "scene-5", "rifle"] {
         let file = scene(id);
         for rays in file.ray_counts() {
-            for settings in Settings::BOTH {
+            for settings in Settings::SAMPLED {
                 for run in runs(&file, settings, rays).expect("the scene runs") {
                     let [point, normal] = [run.point, run.normal].map(|it| it.unwrap_or(0.0));
                     // In scene 5 every direction within a cone is a normal.
@@ -170,7 +172,7 @@ fn the_bullet_hits_at_every_speed() {
     let speeds = file.thesis.speeds.as_ref().expect("there are speeds");
     for &speed in &speeds.speeds {
         let scene = file.sped(&speeds.body, speed).expect("the body moves");
-        for settings in Settings::BOTH {
+        for settings in Settings::SAMPLED {
             let run = run(&file, &scene, settings, 1, 10).expect("the scene runs");
             let agreement = run.point.unwrap_or(0.0);
             assert!(
@@ -196,7 +198,7 @@ fn the_ball_on_a_curve_agrees_from_one_ray() {
 }
 
 #[test]
-fn default_rays_agree_better_than_the_thesis() {
+fn aimed_rays_agree_better_than_the_thesis() {
     let mut short = Vec::new();
     for id in ["scene-2", "scene-4", "scene-6", "scene-9"] {
         let file = scene(id);
@@ -223,7 +225,7 @@ fn default_rays_agree_better_than_the_thesis() {
 
 /// The curve grazes the ball at a distance of exactly 2.
 #[test]
-fn default_rays_tell_a_graze_from_a_miss() {
+fn aimed_rays_tell_a_graze_from_a_miss() {
     let file = scene("scene-8");
     let positions = file.thesis.positions.as_ref().expect("there are positions");
     let mut wrong = Vec::new();
@@ -236,7 +238,7 @@ fn default_rays_tell_a_graze_from_a_miss() {
             .placed(&positions.body, [x, 0.0, 0.0])
             .expect("the body is there");
         for seed in SEEDS {
-            let touch = first_touch(&scene, Settings::Rays.config(rays, seed)).expect("it runs");
+            let touch = first_touch(&scene, Settings::Rays.method(rays, seed)).expect("it runs");
             if touch.is_some() != touches {
                 wrong.push(format!("x = {x}, {rays} rays, seed {seed}: {touch:?}"));
             }
@@ -259,8 +261,8 @@ fn the_thesis_points_are_reproduced() {
         let file = scene(id);
         let table = &file.thesis.table;
         for row in table.iter().filter(|row| !others.contains(&row.rays)) {
-            let config = Settings::Thesis.config(row.rays, file.thesis.seed());
-            let touch = first_touch(&file.scene, config).expect("it runs");
+            let method = Settings::Thesis.method(row.rays, file.thesis.seed());
+            let touch = first_touch(&file.scene, method).expect("it runs");
             let found = touch.expect("there is a contact").point;
             let printed = DVec3::from(row.found.expect("there was a contact"));
             if (found - printed).abs().max_element() > 2e-6 {
@@ -285,8 +287,8 @@ fn a_few_of_the_thesis_rays_seem_to_be_missing() {
         .and_then(|row| row.found)
         .expect("there is a row");
     let off = |rays| {
-        let config = Settings::Thesis.config(rays, file.thesis.seed());
-        let touch = first_touch(&file.scene, config).expect("it runs");
+        let method = Settings::Thesis.method(rays, file.thesis.seed());
+        let touch = first_touch(&file.scene, method).expect("it runs");
         let found = touch.expect("there is a contact").point;
         (found - DVec3::from(printed)).abs().max_element()
     };
@@ -294,18 +296,149 @@ fn a_few_of_the_thesis_rays_seem_to_be_missing() {
     assert!(off(951) > 1e-3 && off(980) > 1e-3);
 }
 
-/// Its program lets a frame's chord stand for the sharp bend of scene 7, and where
-/// frames begin decides how well that does. Its 99.7 is among what comes out.
+/// In every table its method comes out within 3 % of the thesis's figure, and within
+/// 1 % on average: the comparison with it is fair.
 #[test]
-fn where_frames_begin_decides_the_thesis_figure_on_a_sharp_bend() {
-    let mut file = scene("scene-7");
-    let mut agreements = Vec::new();
-    for step in 0..40 {
-        file.scene.frame_rate = 22.0 + 0.1 * f64::from(step);
-        let run = run(&file, &file.scene, Settings::Thesis, 2, 10).expect("it runs");
-        agreements.push(run.point.expect("a point is expected"));
+fn the_thesis_figures_are_within_their_scatter() {
+    let files = SceneFile::read_all().expect("all files can be read");
+    let (mut wrong, mut compared) = (Vec::new(), 0);
+    for file in files.iter().filter(|file| !file.thesis.table.is_empty()) {
+        let mut off = Vec::new();
+        for row in &file.thesis.table {
+            // Its only rays that hit graze B's top: rounding decides.
+            if file.id == "scene-2" && row.rays <= 4 {
+                continue;
+            }
+            let seed = file.thesis.seed();
+            let run =
+                run(file, &file.scene, Settings::Thesis, row.rays, seed).expect("the scene runs");
+            let here = run.point.expect("a point is expected");
+            // A figure that contradicts its point is a misprint.
+            let expected = file.thesis.point.expect("a point is expected");
+            let printed = row
+                .found
+                .map_or(row.point, |found| agreement(found, expected));
+            off.push((here - printed).abs());
+            if (here - printed).abs() > 3.0 {
+                let (id, rays) = (&file.id, row.rays);
+                wrong.push(format!("{id}, {rays} rays: {here}, printed {printed}"));
+            }
+        }
+        let mean = off.iter().sum::<f64>() / off.len() as f64;
+        if mean > 1.0 {
+            wrong.push(format!("{}: {mean} on average", file.id));
+        }
+        compared += off.len();
     }
-    agreements.sort_by(f64::total_cmp);
-    let (least, best) = (agreements[0], agreements[39]);
-    assert!(least < 99.7 && best >= 99.7, "{least}..{best}");
+    assert_none(&wrong);
+    assert_eq!(compared, 51);
+}
+
+/// On the paths that its program flew. Its points lie mirrored about the paths' plane
+/// where two rays are equally long.
+#[test]
+fn the_thesis_points_on_curves_are_reproduced() {
+    let mut wrong = Vec::new();
+    for (id, limit) in [("scene-7", 5e-5), ("scene-9", 0.01)] {
+        let file = scene(id);
+        for row in &file.thesis.table {
+            let run = run(&file, &file.scene, Settings::Thesis, row.rays, 10).expect("it runs");
+            let upright = |point: DVec3| point.with_z(point.z.abs());
+            let near = match (run.touch, row.found) {
+                (Some(touch), Some(printed)) => {
+                    upright(touch.point).distance(upright(printed.into())) <= limit
+                }
+                (touch, printed) => touch.is_none() && printed.is_none(),
+            };
+            if !near {
+                let (rays, touch) = (row.rays, run.touch);
+                wrong.push(format!(
+                    "{id}, {rays} rays: {touch:?}, printed {:?}",
+                    row.found
+                ));
+            }
+        }
+    }
+    assert_none(&wrong);
+}
+
+/// On the paths of the thesis's text, which its program did not fly, its method as
+/// it describes it agrees differently: worse in scene 7, better in scene 9.
+#[test]
+fn the_thesis_method_on_the_paths_of_the_text() {
+    for (id, least, best) in [("scene-7", 97.0, 99.6), ("scene-9", 87.9, 99.99)] {
+        let file = scene(id);
+        let expected = file.thesis.point.expect("a point is expected");
+        let rays = file.ray_counts().into_iter();
+        let agreements = rays
+            .filter(|&rays| id == "scene-7" || rays >= 5)
+            .map(|rays| {
+                let touch = first_touch(&file.scene, Settings::Thesis.method(rays, 10));
+                let touch = touch.expect("it runs").expect("there is a contact");
+                agreement(touch.point.to_array(), expected)
+            });
+        let mut agreements: Vec<f64> = agreements.collect();
+        agreements.sort_by(f64::total_cmp);
+        let ends = [agreements[0], agreements[agreements.len() - 1]];
+        assert!(least <= ends[0] && ends[1] <= best, "{id}: {ends:?}");
+    }
+}
+
+/// Moved towards the path in steps of 0.1 the ball is first found at 1.9, as there.
+#[test]
+fn the_thesis_finds_a_graze_where_it_says() {
+    let file = scene("scene-8");
+    let touch = |x: f64| {
+        let scene = file.placed("A", [x, 0.0, 0.0]).expect("the body is there");
+        let run = run(&file, &scene, Settings::Thesis, 100, 10).expect("it runs");
+        run.touch.map(|touch| touch.point)
+    };
+    assert!(touch(2.0).is_none());
+    let found = touch(1.9).expect("there is a contact");
+    // One frame nearer along the path, a twenty-fourth of a metre.
+    let printed = DVec3::new(0.947749, -0.007954, -0.305212);
+    assert!(found.distance(printed) < 1.0 / 24.0, "{found}");
+}
+
+/// Where its grid of half turns fails in scene 2, that of half steps on curves
+/// comes out, and fails where the other does not.
+#[test]
+fn half_steps_give_the_other_rows_of_the_thesis() {
+    let file = scene("scene-2");
+    let near = |rays: u32| {
+        let printed = file.row(rays).and_then(|row| row.found);
+        let printed = DVec3::from(printed.expect("there was a contact"));
+        let touch = as_printed::first_touch(&file.scene, rays, frames(&file.scene));
+        let found = touch.expect("there is a contact").point;
+        (found.abs() - printed.abs()).abs().max_element() < 2e-6
+    };
+    assert!([64, 100, 400].into_iter().all(near));
+    assert!(![10, 15, 20].into_iter().any(near));
+}
+
+/// The exact method agrees in every scene, without a number of rays.
+#[test]
+fn the_exact_method_agrees_everywhere() {
+    let mut short = Vec::new();
+    for id in [
+        "scene-1", "scene-2", "scene-3", "scene-4", "scene-5", "scene-6", "scene-7", "scene-9",
+        "rifle",
+    ] {
+        let file = scene(id);
+        let run = exact(&file, &file.scene).expect("the scene runs");
+        let [point, normal] = [run.point, run.normal].map(|it| it.unwrap_or(0.0));
+        // Along chords of a curve, within a ten-millionth of the pair's size.
+        let curved = ["scene-7", "scene-9"].contains(&id);
+        let bar = 100.0 - if curved { 1e-3 } else { 1e-6 };
+        if point < bar || normal < bar {
+            short.push(format!("{id}: {point}, {normal}"));
+        }
+    }
+    assert_none(&short);
+    let file = scene("scene-8");
+    let touches = |x: f64| {
+        let scene = file.placed("A", [x, 0.0, 0.0]).expect("the body is there");
+        exact(&file, &scene).expect("it runs").touch.is_some()
+    };
+    assert!(touches(1.9999) && !touches(2.0001));
 }

@@ -1,8 +1,10 @@
 //! Runs of scenes up to the first touch.
 
 use crate::agreement::agreement;
+use crate::as_printed;
 use crate::scene_file::SceneFile;
 use feeler::{Contact, Method, RayConfig, Scene, SceneError, StepError};
+use glam::DVec3;
 use thiserror::Error;
 
 /// Seeds that every run is repeated with.
@@ -11,33 +13,39 @@ pub(crate) const SEEDS: std::ops::RangeInclusive<u64> = 1..=20;
 /// How a scene is examined.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Settings {
-    /// The method as the thesis publishes it.
+    /// The method as the thesis publishes it, or as its program went about it where
+    /// the file has the paths it flew.
     Thesis,
-    /// This crate's default.
+    /// Aimed rays.
     Rays,
+    /// One ray in configuration space, this crate's default; needs no number of rays.
+    Exact,
 }
 
 impl Settings {
-    pub(crate) const BOTH: [Self; 2] = [Self::Thesis, Self::Rays];
+    /// Those with a number of rays.
+    pub(crate) const SAMPLED: [Self; 2] = [Self::Thesis, Self::Rays];
 
     pub(crate) fn name(self) -> &'static str {
         match self {
             Self::Thesis => "thesis",
             Self::Rays => "rays",
+            Self::Exact => "exact",
         }
     }
 
-    pub(crate) fn config(self, rays: u32, seed: u64) -> RayConfig {
+    pub(crate) fn method(self, rays: u32, seed: u64) -> Method {
         match self {
-            Self::Thesis => RayConfig {
+            Self::Thesis => Method::Rays(RayConfig {
                 seed,
                 ..RayConfig::thesis(rays)
-            },
-            Self::Rays => RayConfig {
+            }),
+            Self::Rays => Method::Rays(RayConfig {
                 rays,
                 seed,
                 ..RayConfig::default()
-            },
+            }),
+            Self::Exact => Method::Exact,
         }
     }
 }
@@ -52,9 +60,9 @@ pub(crate) enum RunError {
 }
 
 /// The first touch in a scene, frame by frame.
-pub(crate) fn first_touch(scene: &Scene, config: RayConfig) -> Result<Option<Contact>, RunError> {
+pub(crate) fn first_touch(scene: &Scene, method: Method) -> Result<Option<Contact>, RunError> {
     let mut scene = scene.clone();
-    scene.config.method = Method::Rays(config);
+    scene.config.method = method;
     let (mut world, _) = scene.world()?;
     for _ in 0..frames(&scene) {
         let contacts = world.step(scene.time_step())?;
@@ -83,13 +91,32 @@ pub(crate) fn frames(scene: &Scene) -> u64 {
     (duration * scene.frame_rate).ceil().clamp(1.0, 1e6) as u64
 }
 
+/// What is compared of a touch.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Touch {
+    /// In seconds.
+    pub time: f64,
+    pub point: DVec3,
+    pub normal: DVec3,
+}
+
+impl From<Contact> for Touch {
+    fn from(contact: Contact) -> Self {
+        Self {
+            time: contact.time,
+            point: contact.point,
+            normal: contact.normal,
+        }
+    }
+}
+
 /// What one run of a scene gave.
 #[derive(Debug, Clone)]
 pub(crate) struct Run {
     pub settings: Settings,
     pub rays: u32,
     pub seed: u64,
-    pub contact: Option<Contact>,
+    pub touch: Option<Touch>,
     /// Agreement of the point in %; 0 without contact, none without expectation.
     pub point: Option<f64>,
     /// Agreement of the normal in %, likewise.
@@ -104,26 +131,37 @@ pub(crate) fn run(
     rays: u32,
     seed: u64,
 ) -> Result<Run, RunError> {
-    let contact = first_touch(scene, settings.config(rays, seed))?;
+    let flown = match settings {
+        Settings::Thesis => file.as_its_program_flew(scene),
+        Settings::Rays | Settings::Exact => None,
+    };
+    let touch = match flown {
+        Some(flown) => as_printed::first_touch(&flown, rays, frames(&flown)),
+        None => first_touch(scene, settings.method(rays, seed))?.map(Touch::from),
+    };
     let compare = |found: Option<[f64; 3]>, expected: Option<[f64; 3]>| {
         let expected = expected?;
         Some(found.map_or(0.0, |found| agreement(found, expected)))
     };
     let thesis = &file.thesis;
+    // Where edges cross, the face that a ray hits does not separate the bodies.
+    let normal = match settings {
+        Settings::Exact => thesis.separating_normal.or(thesis.normal),
+        Settings::Thesis | Settings::Rays => thesis.normal,
+    };
     Ok(Run {
         settings,
         rays,
         seed,
-        contact,
-        point: compare(
-            contact.map(|contact| contact.point.to_array()),
-            thesis.point,
-        ),
-        normal: compare(
-            contact.map(|contact| contact.normal.to_array()),
-            thesis.normal,
-        ),
+        touch,
+        point: compare(touch.map(|touch| touch.point.to_array()), thesis.point),
+        normal: compare(touch.map(|touch| touch.normal.to_array()), normal),
     })
+}
+
+/// The one run of the exact method: it knows neither rays nor seeds.
+pub(crate) fn exact(file: &SceneFile, scene: &Scene) -> Result<Run, RunError> {
+    run(file, scene, Settings::Exact, 0, 0)
 }
 
 /// One run for every seed, from the least agreement to the best.

@@ -1,6 +1,6 @@
 //! Files for other programs: comma-separated values.
 
-use crate::accuracy::Run;
+use crate::accuracy::{Run, Settings};
 use crate::report::broad_phase;
 use crate::timing::FrameTimes;
 use std::fmt::Write;
@@ -19,17 +19,22 @@ impl Accuracy {
 
     /// One run; fields without a figure stay empty.
     pub(crate) fn push(&mut self, scene: &str, run: &Run, thesis: Option<f64>) {
+        // The exact method knows neither rays nor seeds.
+        let if_sampled = |number: u64| match run.settings {
+            Settings::Exact => String::new(),
+            Settings::Thesis | Settings::Rays => number.to_string(),
+        };
         let mut fields = vec![
             scene.to_owned(),
             run.settings.name().to_owned(),
-            run.rays.to_string(),
-            run.seed.to_string(),
+            if_sampled(run.rays.into()),
+            if_sampled(run.seed),
         ];
-        match &run.contact {
-            Some(contact) => {
-                let numbers = [contact.point.to_array(), contact.normal.to_array()].concat();
+        match &run.touch {
+            Some(touch) => {
+                let numbers = [touch.point.to_array(), touch.normal.to_array()].concat();
                 fields.extend(numbers.iter().map(f64::to_string));
-                fields.push(contact.time.to_string());
+                fields.push(touch.time.to_string());
             }
             None => fields.extend(std::iter::repeat_n(String::new(), 7)),
         }

@@ -12,13 +12,15 @@
 
 mod accuracy;
 mod agreement;
+mod as_printed;
 mod csv;
+mod errors;
 mod plots;
 mod report;
 mod scene_file;
 mod timing;
 
-use accuracy::{Run, SEEDS, Settings, frames, representative, run, runs};
+use accuracy::{Run, SEEDS, Settings, exact, frames, representative, run, runs};
 use plots::{BLUE, GREEN, ORANGE, PURPLE, Plot, Series};
 use scene_file::{Acceleration, SceneFile};
 use std::error::Error;
@@ -61,6 +63,8 @@ fn run_all() -> Result<(), Box<dyn Error>> {
             all_times.extend(times);
         }
     }
+    eprintln!("errors against rays ...");
+    errors::plot(&files, &folder.join("errors.svg"))?;
     std::fs::write(folder.join("accuracy.csv"), &accuracy.0)?;
     std::fs::write(folder.join("timing.csv"), csv::timing(&all_times))?;
     eprintln!("written to {}", folder.display());
@@ -120,7 +124,9 @@ fn compare(
         }
         by_rays.push((rays, both));
     }
-    report::agreements(file, &by_rays);
+    let exact = exact(file, &file.scene)?;
+    accuracy.push(&file.id, &exact, None);
+    report::agreements(file, &by_rays, &exact);
     if by_rays.len() > 8 {
         plot_agreements(file, &by_rays, folder)?;
     }
@@ -160,7 +166,7 @@ fn plot_agreements(
         series: vec![
             series("printed in the thesis", ORANGE, true, printed),
             series("its method, run here", BLUE, false, ours(0)),
-            series("default rays", GREEN, false, ours(1)),
+            series("aimed rays", GREEN, false, ours(1)),
         ],
     };
     plot.draw(&folder.join(format!("{}.svg", file.id)))
@@ -174,17 +180,21 @@ fn place(file: &SceneFile, accuracy: &mut csv::Accuracy) -> Result<(), Box<dyn E
     let mut variants = Vec::new();
     for &at in &positions.at {
         let scene = file.placed(&positions.body, at)?;
+        let id = format!("{} at {}", file.id, at[0]);
         for &rays in &positions.rays {
-            for settings in Settings::BOTH {
+            for settings in Settings::SAMPLED {
                 for seed in SEEDS {
                     let run = run(file, &scene, settings, rays, seed)?;
-                    accuracy.push(&format!("{} at {}", file.id, at[0]), &run, None);
+                    accuracy.push(&id, &run, None);
                     if seed == *SEEDS.start() {
                         variants.push((at[0].to_string(), run));
                     }
                 }
             }
         }
+        let exact = exact(file, &scene)?;
+        accuracy.push(&id, &exact, None);
+        variants.push((at[0].to_string(), exact));
     }
     report::variants("x", &variants);
     Ok(())
@@ -198,11 +208,15 @@ fn speed_up(file: &SceneFile, accuracy: &mut csv::Accuracy) -> Result<(), Box<dy
     let mut variants = Vec::new();
     for &speed in &speeds.speeds {
         let scene = file.sped(&speeds.body, speed)?;
-        for settings in Settings::BOTH {
+        let id = format!("{} at {speed}", file.id);
+        for settings in Settings::SAMPLED {
             let run = run(file, &scene, settings, 1, *SEEDS.start())?;
-            accuracy.push(&format!("{} at {speed}", file.id), &run, None);
+            accuracy.push(&id, &run, None);
             variants.push((speed.to_string(), run));
         }
+        let exact = exact(file, &scene)?;
+        accuracy.push(&id, &exact, None);
+        variants.push((speed.to_string(), exact));
     }
     report::variants("m/s", &variants);
     Ok(())

@@ -13,7 +13,7 @@ pub(crate) const BLUE: RGBColor = RGBColor(0, 114, 178);
 pub(crate) const GREEN: RGBColor = RGBColor(0, 158, 115);
 pub(crate) const PURPLE: RGBColor = RGBColor(150, 80, 140);
 
-const INK: RGBColor = RGBColor(60, 60, 60);
+pub(crate) const INK: RGBColor = RGBColor(60, 60, 60);
 const SIZE: (u32, u32) = (960, 600);
 
 /// A line through points, and its name.
@@ -127,7 +127,14 @@ impl Plot<'_> {
             .x_desc("rays")
             .y_desc(self.unit)
             .x_label_formatter(&|x| format!("{x}"))
-            .y_label_formatter(&|y| format!("{y}"))
+            .y_label_formatter(&|y| {
+                // Powers of ten are not met to the last digit.
+                if *y > 0.0 && *y < 9e-4 {
+                    format!("{y:.0e}")
+                } else {
+                    format!("{}", (y * 1e4).round() / 1e4)
+                }
+            })
             .draw()?;
         Ok(())
     }

@@ -1,10 +1,9 @@
 //! What people read: tables on standard output.
 
-use crate::accuracy::{Run, representative};
+use crate::accuracy::{Run, Settings, Touch, representative};
 use crate::scene_file::{Acceleration, SceneFile};
 use crate::timing::FrameTimes;
 use feeler::Contact;
-use glam::DVec3;
 
 /// The heading of a scene.
 pub(crate) fn heading(file: &SceneFile) {
@@ -25,17 +24,14 @@ fn vector(vector: [f64; 3]) -> String {
     format!("({x:.6}, {y:.6}, {z:.6})")
 }
 
-fn found(contact: Option<&Contact>, part: impl Fn(&Contact) -> DVec3) -> String {
-    contact.map_or_else(
-        || "-".to_owned(),
-        |contact| vector(part(contact).to_array()),
-    )
+fn found(touch: Option<&Touch>) -> String {
+    touch.map_or_else(|| "-".to_owned(), |touch| vector(touch.point.to_array()))
 }
 
 /// A scene's agreements, in %: of the thesis's method with its own seed, of the
-/// default rays the median over all seeds; `by_rays` holds for every
-/// number of rays the runs of either settings, the least agreement first.
-pub(crate) fn agreements(file: &SceneFile, by_rays: &[(u32, [Vec<Run>; 2])]) {
+/// aimed rays the median over all seeds, last of the exact method; `by_rays` holds for
+/// every number of rays the runs of either settings, the least agreement first.
+pub(crate) fn agreements(file: &SceneFile, by_rays: &[(u32, [Vec<Run>; 2])], exact: &Run) {
     println!(
         "{:>5} | {:<33} {:>6} {:>6} | {:<33} {:>6} {:>6} {:>11} | {:<33} {:>6} {:>6} {:>9}",
         "rays",
@@ -46,7 +42,7 @@ pub(crate) fn agreements(file: &SceneFile, by_rays: &[(u32, [Vec<Run>; 2])]) {
         "point",
         "normal",
         "points",
-        "default rays",
+        "aimed rays",
         "point",
         "normal",
         "time/s"
@@ -65,7 +61,7 @@ pub(crate) fn agreements(file: &SceneFile, by_rays: &[(u32, [Vec<Run>; 2])]) {
             printed.unwrap_or_default(),
             percent(row.map(|row| row.point)),
             percent(row.map(|row| row.normal)),
-            found(theirs.contact.as_ref(), |contact| contact.point),
+            found(theirs.touch.as_ref()),
             percent(theirs.point),
             percent(theirs.normal),
             // From the worst seed to the best.
@@ -74,12 +70,21 @@ pub(crate) fn agreements(file: &SceneFile, by_rays: &[(u32, [Vec<Run>; 2])]) {
             } else {
                 ends.join("-")
             },
-            found(ours.contact.as_ref(), |contact| contact.point),
+            found(ours.touch.as_ref()),
             percent(ours.point),
             percent(ours.normal),
-            seconds(ours.contact.as_ref()),
+            seconds(ours.touch.as_ref()),
         );
     }
+    println!(
+        "exact | {:47} | {:59} | {:<33} {:>6} {:>6} {:>9}",
+        "",
+        "",
+        found(exact.touch.as_ref()),
+        percent(exact.point),
+        percent(exact.normal),
+        seconds(exact.touch.as_ref()),
+    );
 }
 
 /// An agreement in %, rounded down so that only what is perfect reads 100.
@@ -90,8 +95,8 @@ fn percent(agreement: Option<f64>) -> String {
     })
 }
 
-fn seconds(contact: Option<&Contact>) -> String {
-    contact.map_or_else(|| "-".to_owned(), |contact| format!("{:.6}", contact.time))
+fn seconds(touch: Option<&Touch>) -> String {
+    touch.map_or_else(|| "-".to_owned(), |touch| format!("{:.6}", touch.time))
 }
 
 /// Runs of a scene that was varied, each with what was varied.
@@ -104,10 +109,12 @@ pub(crate) fn variants(what: &str, variants: &[(String, Run)]) {
         println!(
             "{value:>9} | {:>8} {:>5} | {:<33} {:>9}",
             run.settings.name(),
-            run.rays,
-            found(run.contact.as_ref(), |contact| contact.point),
-            run.contact
-                .map_or_else(|| "-".to_owned(), |contact| format!("{:.6}", contact.time)),
+            match run.settings {
+                Settings::Exact => String::new(),
+                Settings::Thesis | Settings::Rays => run.rays.to_string(),
+            },
+            found(run.touch.as_ref()),
+            seconds(run.touch.as_ref()),
         );
     }
 }

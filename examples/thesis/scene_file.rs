@@ -2,6 +2,7 @@
 
 use feeler::{Body, BodyError, Motion, MotionError, Scene};
 use serde::Deserialize;
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use thiserror::Error;
 use toml::de::{DeTable, Deserializer};
@@ -13,6 +14,9 @@ pub(crate) struct SceneFile {
     pub id: String,
     pub scene: Scene,
     pub thesis: Thesis,
+    /// The section `[as_its_program_flew]`: motions by the names of bodies, where those
+    /// of the thesis's program were not those of its text.
+    pub flown: BTreeMap<String, Motion>,
 }
 
 /// The section `[thesis]`: what is expected and what the thesis found.
@@ -23,6 +27,8 @@ pub(crate) struct Thesis {
     pub point: Option<[f64; 3]>,
     /// The contact's normal.
     pub normal: Option<[f64; 3]>,
+    /// The normal that separates the bodies, where the thesis expects another.
+    pub separating_normal: Option<[f64; 3]>,
     /// The seed of the thesis's random points; 10 if none is given.
     pub seed: Option<u64>,
     pub table: Vec<Row>,
@@ -117,7 +123,7 @@ impl SceneFile {
             path: path.to_owned(),
             source,
         })?;
-        let (scene, thesis) = parse(&text).map_err(|mut source| {
+        let (scene, thesis, flown) = parse(&text).map_err(|mut source| {
             // So that the message shows the line.
             source.set_input(Some(&text));
             SceneFileError::Malformed {
@@ -130,6 +136,7 @@ impl SceneFile {
             id: stem.to_string_lossy().into_owned(),
             scene,
             thesis,
+            flown,
         })
     }
 
@@ -168,6 +175,18 @@ impl SceneFile {
         })
     }
 
+    /// The scene, or a variant of it, as the thesis's program flew it; none if that is
+    /// how it is.
+    pub(crate) fn as_its_program_flew(&self, scene: &Scene) -> Option<Scene> {
+        let mut scene = scene.clone();
+        for named in &mut scene.bodies {
+            if let Some(motion) = self.flown.get(&named.name) {
+                named.body = moved(&named.body, motion.clone());
+            }
+        }
+        (!self.flown.is_empty()).then_some(scene)
+    }
+
     fn with_motion(
         &self,
         name: &str,
@@ -183,8 +202,7 @@ impl SceneFile {
                 body: name.to_owned(),
             });
         };
-        let body = &named.body;
-        named.body = Body::moving(body.shape().clone(), motion?).oriented(body.orientation());
+        named.body = moved(&named.body, motion?);
         Ok(scene)
     }
 
@@ -205,14 +223,29 @@ impl SceneFile {
     }
 }
 
-/// The scene and the section that is none of its business.
-fn parse(text: &str) -> Result<(Scene, Thesis), toml::de::Error> {
+/// The body with another motion.
+fn moved(body: &Body, motion: Motion) -> Body {
+    Body::moving(body.shape().clone(), motion).oriented(body.orientation())
+}
+
+/// What a file holds: the scene, and the sections that are none of its business.
+type Parts = (Scene, Thesis, BTreeMap<String, Motion>);
+
+fn parse(text: &str) -> Result<Parts, toml::de::Error> {
     let mut table = DeTable::parse(text)?;
-    let thesis = table.get_mut().remove("thesis");
+    let thesis = section(&mut table, "thesis")?;
+    let flown = section(&mut table, "as_its_program_flew")?;
     let scene = Scene::deserialize(Deserializer::from(table))?;
-    let thesis = match thesis {
-        Some(section) => Thesis::deserialize(toml::de::ValueDeserializer::from(section))?,
-        None => Thesis::default(),
-    };
-    Ok((scene, thesis))
+    Ok((scene, thesis, flown))
+}
+
+/// Takes a section out of a file; the default if it has none.
+fn section<'a, T: Deserialize<'a> + Default>(
+    table: &mut toml::Spanned<DeTable<'a>>,
+    name: &str,
+) -> Result<T, toml::de::Error> {
+    match table.get_mut().remove(name) {
+        Some(section) => T::deserialize(toml::de::ValueDeserializer::from(section)),
+        None => Ok(T::default()),
+    }
 }

@@ -2,7 +2,7 @@
 
 use crate::accuracy::{RunError, Settings, frames};
 use crate::scene_file::{Acceleration, SceneFile};
-use feeler::{BroadPhase, Method, Scene};
+use feeler::{BroadPhase, Scene};
 use std::time::Duration;
 
 /// How often a flight is repeated.
@@ -20,14 +20,14 @@ pub(crate) struct FrameTimes {
     pub thesis_ms: Option<f64>,
 }
 
-/// Times all that the file's tables list, with the crate's default rays.
+/// Times all that the file's tables list, with aimed rays.
 pub(crate) fn time(file: &SceneFile) -> Result<Vec<FrameTimes>, RunError> {
     let mut all = Vec::new();
     for table in &file.thesis.timing {
         for (index, &rays) in table.rays.iter().enumerate() {
             let mut scene = file.scene.clone();
             scene.bodies.truncate(table.bodies);
-            scene.config.method = Method::Rays(Settings::Rays.config(rays, 10));
+            scene.config.method = Settings::Rays.method(rays, 10);
             scene.config.broad_phase = match table.broad_phase {
                 Acceleration::Plain => BroadPhase::AllPairs,
                 Acceleration::Accelerated => BroadPhase::default(),
