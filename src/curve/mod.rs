@@ -11,6 +11,7 @@ mod data;
 mod hermite;
 mod hodograph;
 mod quadratic;
+mod section;
 mod span;
 mod spline;
 mod table;
@@ -18,6 +19,8 @@ mod table;
 pub use bezier::CubicBezier;
 pub use spline::Spline;
 pub use table::{ArcLengthRow, ArcLengthTable};
+
+pub(crate) use section::Section;
 
 #[cfg(feature = "serde")]
 pub(crate) use data::{SplineData, SplineDataError};

@@ -1,12 +1,26 @@
 //! How bodies move.
+//!
+//! A [`Motion`] carries a point of the body: it stays, follows a [`Path`], or flies
+//! freely. About that point the body may turn: not at all, at a constant rate
+//! ([`Motion::spin`]), or along the path's tangent ([`Motion::facing`]).
 
+mod bounds;
 #[cfg(feature = "serde")]
 mod data;
+mod facing;
 mod frame_motion;
+mod journey;
 mod kind;
+mod leg;
 mod path;
+mod spin;
+mod turning;
 
+pub use facing::Facing;
+pub use journey::AtEnd;
 pub use kind::Motion;
 pub use path::Path;
+pub use spin::Spin;
 
 pub(crate) use frame_motion::FrameMotion;
+pub(crate) use turning::Turning;
