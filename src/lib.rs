@@ -63,7 +63,7 @@
 //! | [`motion`] | paths, motions along them, spin |
 //! | [`raycast`] | a ray against each shape |
 //! | [`sampling`] | where surface rays start |
-//! | [`curve`] | Hermite and Bézier curves, splines, arc length |
+//! | [`curve`] | Hermite, Bézier and Catmull–Rom curves, splines, arc length |
 //! | [`geometry`] | shapes and what they are made of |
 //! | [`tolerance`] | every tolerance and limit, and why |
 //!
@@ -91,7 +91,7 @@ pub mod tolerance;
 pub mod world;
 
 pub use broad_phase::{BroadPhase, ObbTest};
-pub use curve::{ArcLengthRow, ArcLengthTable, CubicBezier, Spline};
+pub use curve::{ArcLengthRow, ArcLengthTable, CubicBezier, Knots, Spline};
 #[cfg(feature = "serde")]
 pub use error::SceneError;
 pub use error::{

@@ -92,13 +92,16 @@ pub(super) struct AlongLine {
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct AlongSpline {
-    points: Vec<Vector>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    points: Option<Vec<Vector>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     start_tangent: Option<Vector>,
     #[serde(skip_serializing_if = "Option::is_none")]
     end_tangent: Option<Vector>,
     #[serde(skip_serializing_if = "Option::is_none")]
     tangents: Option<Vec<Vector>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    control_points: Option<Vec<Vector>>,
     speed: f64,
     #[serde(default, skip_serializing_if = "is_default")]
     at_end: AtEnd,
@@ -172,6 +175,7 @@ impl TryFrom<MotionData> for Motion {
                     start_tangent: along.start_tangent,
                     end_tangent: along.end_tangent,
                     tangents: along.tangents,
+                    control_points: along.control_points,
                 };
                 Self::along(Spline::try_from(spline)?.into(), along.speed)?
                     .starting_at(along.start_distance)?
@@ -235,6 +239,7 @@ impl From<Motion> for MotionData {
                             start_tangent: spline.start_tangent,
                             end_tangent: spline.end_tangent,
                             tangents: spline.tangents,
+                            control_points: spline.control_points,
                             speed,
                             at_end,
                             start_distance,

@@ -115,6 +115,24 @@ impl Journey {
         Waypoint { distance, forward }
     }
 
+    /// The distances along the path between which a body flies that has flown `start` and
+    /// goes on to `end`, at most [the next end](Self::next_end) of the path; and
+    /// whether towards the path's end.
+    ///
+    /// Told by the middle: where one lap ends another begins.
+    pub(super) fn lap(&self, start: f64, end: f64) -> ([f64; 2], bool) {
+        let middle = self.waypoint(0.5 * start + 0.5 * end);
+        let half = 0.5 * (end - start);
+        let length = self.path.length();
+        let [low, high] = [middle.distance - half, middle.distance + half]
+            .map(|distance| distance.max(0.0).min(length));
+        if middle.forward {
+            ([low, high], true)
+        } else {
+            ([high, low], false)
+        }
+    }
+
     /// Whether a body that has flown so far rests for good.
     pub(super) fn is_over(&self, flown: f64) -> bool {
         self.at_end == AtEnd::Rest && flown >= self.path.length()

@@ -59,30 +59,25 @@ impl Leg {
         visit: &mut impl FnMut(Self) -> bool,
     ) -> bool {
         let path = &journey.path;
-        let from = journey.waypoint(start);
-        let to = if from.forward {
-            (from.distance + (end - start)).min(path.length())
-        } else {
-            (from.distance - (end - start)).max(0.0)
-        };
+        let ([from, to], forward) = journey.lap(start, end);
         let Some(spline) = path.as_spline() else {
             let direction = path.tangent_at(0.0);
-            let way = (to - from.distance) * direction;
-            let direction = if from.forward { direction } else { -direction };
+            let way = (to - from) * direction;
+            let direction = if forward { direction } else { -direction };
             return visit(Self::Straight { way, direction });
         };
         let pieces = spline.pieces();
-        let ((first, u_first), (last, u_last)) = (spline.locate(from.distance), spline.locate(to));
+        let ((first, u_first), (last, u_last)) = (spline.locate(from), spline.locate(to));
         let mut piece = first;
         loop {
             let enter = match piece == first {
                 true => u_first,
-                false if from.forward => 0.0,
+                false if forward => 0.0,
                 false => 1.0,
             };
             let leave = match piece == last {
                 true => u_last,
-                false if from.forward => 1.0,
+                false if forward => 1.0,
                 false => 0.0,
             };
             let empty = enter == leave && first != last;
@@ -90,7 +85,7 @@ impl Leg {
                 && !visit(Self::Curve(Section::of(
                     &pieces[piece],
                     [enter, leave],
-                    from.forward,
+                    forward,
                 )))
             {
                 return false;
@@ -98,7 +93,7 @@ impl Leg {
             if piece == last {
                 return true;
             }
-            piece = if from.forward { piece + 1 } else { piece - 1 };
+            piece = if forward { piece + 1 } else { piece - 1 };
         }
     }
 

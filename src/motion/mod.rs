@@ -4,6 +4,10 @@
 //! freely. About that point the body may turn: not at all, at a constant rate
 //! ([`Motion::spin`]), or along the path's tangent ([`Motion::facing`]).
 
+#[cfg_attr(
+    not(test),
+    allow(dead_code, reason = "what certified casts along curves build on")
+)]
 mod bounds;
 #[cfg(feature = "serde")]
 mod data;
@@ -11,9 +15,20 @@ mod facing;
 mod frame_motion;
 mod journey;
 mod kind;
+#[cfg_attr(
+    not(test),
+    allow(dead_code, reason = "what certified casts along curves build on")
+)]
 mod leg;
 mod path;
 mod spin;
+#[cfg_attr(
+    not(test),
+    allow(dead_code, reason = "what certified casts along curves build on")
+)]
+mod stretch;
+#[cfg(test)]
+mod tests;
 mod turning;
 
 pub use facing::Facing;
