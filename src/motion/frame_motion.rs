@@ -133,12 +133,12 @@ impl FrameMotion {
             Kind::Free { velocity, .. } => ((to - from) * self.duration) * *velocity,
             Kind::Along(journey) if journey.path.is_straight() => {
                 let [start, end] = [from, to].map(|fraction| self.flown_at(journey, fraction));
-                let (there, back) = (journey.waypoint(start), journey.waypoint(end));
-                let way = if journey.next_end(start) >= end {
-                    let sign = if there.forward { 1.0 } else { -1.0 };
-                    sign * journey.speed * self.flying(from, to)
+                let way = if self.end_after(journey, from).0 >= to {
+                    let (_, forward) = journey.lap(start, end);
+                    let sense = if forward { 1.0 } else { -1.0 };
+                    sense * journey.speed * self.flying(from, to)
                 } else {
-                    back.distance - there.distance
+                    journey.waypoint(end).distance - journey.waypoint(start).distance
                 };
                 way * journey.path.tangent_at(0.0)
             }
@@ -169,9 +169,8 @@ impl FrameMotion {
         if arc <= 0.0 {
             return 0.0;
         }
-        let start = self.flown_at(journey, from);
         // Up to its very end a path is one way.
-        let one_way = journey.next_end(start) >= self.flown_at(journey, to);
+        let one_way = self.end_after(journey, from).0 >= to;
         let straight = journey.path.is_straight() && one_way;
         if from < self.rests_until || to > self.rests_from {
             // Partly at rest. A straight path is ahead of or behind even
@@ -235,15 +234,24 @@ impl FrameMotion {
         if from >= self.rests_from {
             return 1.0;
         }
-        let mut end = journey.next_end(self.flown_at(journey, from));
-        let fraction =
-            |end: f64| self.rests_until + (end - self.flown) / (journey.speed * self.duration);
-        if fraction(end) <= from {
-            // Just passed, but for rounding.
-            end = journey.next_end(end);
-        }
-        let next = fraction(end).min(self.rests_from);
+        let next = self.end_after(journey, from).0.min(self.rests_from);
         // NaN, of a frame without length, counts as none.
         if next > from { next.min(1.0) } else { 1.0 }
+    }
+
+    /// The fraction at which the body next reaches an end of its path, after `from`,
+    /// and the distance flown by then; infinite if it does not.
+    ///
+    /// An end that lies at `from` itself has been passed, whatever side of it
+    /// rounding puts the distance flown.
+    pub(super) fn end_after(&self, journey: &Journey, from: f64) -> (f64, f64) {
+        let fraction =
+            |end: f64| self.rests_until + (end - self.flown) / (journey.speed * self.duration);
+        let end = journey.next_end(self.flown_at(journey, from));
+        if fraction(end) > from {
+            return (fraction(end), end);
+        }
+        let end = journey.next_end(end);
+        (fraction(end), end)
     }
 }

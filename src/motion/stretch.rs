@@ -60,7 +60,9 @@ impl FrameMotion {
         }
         let flown = self.flown_at(journey, from);
         // To the end of the path or of the frame.
-        let end = self.flown_at(journey, 1.0).min(journey.next_end(flown));
+        let end = self
+            .flown_at(journey, 1.0)
+            .min(self.end_after(journey, from).1);
         let ([start, end], forward) = journey.lap(flown, end.max(flown));
         let sense = if forward { 1.0 } else { -1.0 };
         let Some(spline) = journey.path.as_spline() else {

@@ -101,7 +101,7 @@ fn a_loop_goes_on_where_it_began() {
             let end = f64::from(lap) * path.length();
             let around = [end.next_down(), end, end.next_up()].map(|t| motion.position_after(t));
             for point in around {
-                assert!(point.distance(path.start()) < 1e-14);
+                assert!(point.distance(path.start()) < 1e-13);
             }
         }
     }
