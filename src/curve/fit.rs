@@ -12,12 +12,13 @@ use std::f64::consts::PI;
 /// twentieth is below rounding.
 const COUNT: usize = 20;
 
-/// Two last coefficients above this, relative to the first, mean that others were cut off.
-const TAIL: f64 = 4e-16;
+/// Two last coefficients above this, relative to the first, mean that too much was cut off:
+/// what follows them is a sixth of it.
+const TAIL: f64 = 3e-15;
 
 /// How far a fit may be from the iterated inverse where it was not made from it, as a share
-/// of the span.
-const OFF: f64 = 1e-15;
+/// of the span: a few times the rounding of both.
+const OFF: f64 = 3e-15;
 
 /// The parameter of a curve for a distance on one span: exact to rounding, without a root.
 ///
@@ -79,8 +80,8 @@ impl Fitter {
         }
     }
 
-    /// The fit of a span `start` metres from the path's start.
-    pub(super) fn fit(&self, start: f64, piece: u32, hodograph: &Hodograph, span: &Span) -> Fit {
+    /// The fit of a span of which it is not yet known where it starts.
+    pub(super) fn fit(&self, piece: u32, hodograph: &Hodograph, span: &Span) -> Fit {
         let at = |share: f64| span.invert(hodograph, share * span.length) * (span.width / share);
         let values = self.shares.map(at);
         let chebyshev = self.weights.each_ref().map(|row| {
@@ -90,7 +91,7 @@ impl Fitter {
                 .sum::<f64>()
         });
         let mut fit = Fit {
-            start,
+            start: 0.0,
             per_metre: span.length.recip(),
             u_start: span.u_start,
             piece,
