@@ -80,7 +80,7 @@ impl Leg {
                 false if forward => 1.0,
                 false => 0.0,
             };
-            let empty = enter == leave && first != last;
+            let empty = (enter - leave).abs() <= 0.0 && first != last;
             if !empty
                 && !visit(Self::Curve(Section::of(
                     &pieces[piece],

@@ -110,7 +110,7 @@ impl Curve<'_> {
         let [start, end] = self.distances;
         let share = (spline.distance_at(self.index, u) - start) / (end - start);
         // NaN, of a stretch without length, counts as 0.
-        share.max(0.0).min(1.0)
+        if share > 0.0 { share.min(1.0) } else { 0.0 }
     }
 
     /// The parameter of the piece when a share of the stretch's time has passed: the inverse.

@@ -2,7 +2,8 @@
 
 #![allow(
     clippy::unwrap_used,
-    reason = "helpers outside the test functions build from input that is fine"
+    clippy::panic,
+    reason = "helpers outside the test functions build from input that is fine, or fail the test"
 )]
 #![allow(clippy::float_cmp, reason = "ends and starts are met bit for bit")]
 

@@ -56,7 +56,10 @@ fn motion(rng: &mut ChaCha8Rng) -> Motion {
     let vectors =
         |rng: &mut ChaCha8Rng| -> Vec<DVec3> { (0..count).map(|_| size * vector(rng)).collect() };
     let path = match rng.next_u64() % 7 {
-        0 => return turning(rng, Motion::fixed(size * vector(rng)).expect("a place")),
+        0 => {
+            let place = Motion::fixed(size * vector(rng));
+            return turning(rng, place.expect("a place"));
+        }
         1 => {
             let flight = Motion::free(size * vector(rng), vector(rng));
             return turning(rng, flight.expect("a flight"));
