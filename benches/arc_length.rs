@@ -47,6 +47,19 @@ fn arc_length(criterion: &mut Criterion) {
         group.bench_function(BenchmarkId::new("position", count), |bencher| {
             bencher.iter(|| black_box(&spline).position_at(distance()));
         });
+        // As bodies fly: a little farther every time, and round again.
+        let mut flown = 0.0;
+        let ahead = 0.037 * spline.length() / count as f64;
+        let mut onward = || {
+            flown += ahead;
+            if flown > spline.length() {
+                flown = 0.0;
+            }
+            flown
+        };
+        group.bench_function(BenchmarkId::new("frames", count), |bencher| {
+            bencher.iter(|| black_box(&spline).position_at(onward()));
+        });
         let table = ArcLengthTable::from_spline(&spline, 10).expect("ten steps are fine");
         group.bench_function(BenchmarkId::new("table", count), |bencher| {
             bencher.iter(|| black_box(&table).locate(distance()));

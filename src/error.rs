@@ -191,6 +191,12 @@ pub enum PathError {
         /// The least length allowed.
         min: f64,
     },
+    /// Control points do not make whole cubic pieces: three for each and one more.
+    #[error("{count} control points given: 4, 7, 10 and so on make whole pieces")]
+    ControlPointCount {
+        /// How many control points were given.
+        count: usize,
+    },
     /// A row of an arc-length table does not continue the row before it, or there is no row.
     #[error("row {row} of the arc-length table is missing or does not continue the row before it")]
     TableRow {
@@ -203,9 +209,33 @@ pub enum PathError {
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[non_exhaustive]
 pub enum MotionError {
-    /// A coordinate, velocity or speed is outside its domain.
+    /// A coordinate, velocity, speed, spin or time is outside its domain.
     #[error(transparent)]
     Value(#[from] ValueError),
+    /// What was asked for needs a path, and the motion follows none.
+    #[error("{what} needs a path, and this motion follows none")]
+    NoPath {
+        /// What was asked for.
+        what: &'static str,
+    },
+    /// A path is to be flown in a loop, but does not end where it begins.
+    #[error("the path does not close: its end is {gap:e} m from its start")]
+    OpenLoop {
+        /// From its end to its start, in metres.
+        gap: f64,
+    },
+    /// Two axes that are to span a plane lie on one line, as nearly as matters.
+    #[error("{a} and {b} are parallel: the sine of their angle is {sine:e}, below {min:e}")]
+    Parallel {
+        /// The first axis.
+        a: &'static str,
+        /// The second axis.
+        b: &'static str,
+        /// Sine of the angle between them.
+        sine: f64,
+        /// The least sine allowed.
+        min: f64,
+    },
 }
 
 /// A world cannot be configured as asked.

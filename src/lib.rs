@@ -60,10 +60,10 @@
 //! | [`early_out`] | three tests that reject a pair in a few operations |
 //! | [`broad_phase`] | lists of pairs: all, or those whose swept boxes overlap |
 //! | [`sweep`] | boxes around whole paths |
-//! | [`motion`] | paths, and motions along them |
+//! | [`motion`] | paths, motions along them, spin |
 //! | [`raycast`] | a ray against each shape |
 //! | [`sampling`] | where surface rays start |
-//! | [`curve`] | Hermite and Bézier curves, splines, arc length |
+//! | [`curve`] | Hermite, Bézier and Catmull–Rom curves, splines, arc length |
 //! | [`geometry`] | shapes and what they are made of |
 //! | [`tolerance`] | every tolerance and limit, and why |
 //!
@@ -91,7 +91,7 @@ pub mod tolerance;
 pub mod world;
 
 pub use broad_phase::{BroadPhase, ObbTest};
-pub use curve::{ArcLengthRow, ArcLengthTable, CubicBezier, Spline};
+pub use curve::{ArcLengthRow, ArcLengthTable, CubicBezier, Knots, Spline};
 #[cfg(feature = "serde")]
 pub use error::SceneError;
 pub use error::{
@@ -101,7 +101,7 @@ pub use error::{
 pub use geometry::{
     Aabb, Cuboid, Edge, Face, Feature, Obb, Polytope, Pose, Ray, Shape, Sphere, Triangle,
 };
-pub use motion::{Motion, Path};
+pub use motion::{AtEnd, Facing, Motion, Path, Spin};
 pub use narrow_phase::overlap::{Overlap, overlap};
 pub use narrow_phase::rays::{Chords, Overlaps, Placement, RayConfig, Refinement, Senders};
 pub use raycast::{RayCast, RayHit, RaySpan, SurfacePoint};

@@ -27,6 +27,17 @@ pub const MIN_SPEED: f64 = 1e-12;
 /// Highest speed, in metres per second, for each component of a free velocity too.
 pub const MAX_SPEED: f64 = 1e12;
 
+/// Fastest spin, in radians per second, either way round.
+///
+/// A body turns so far within 1e-6 s that a clock of an hour still tells the
+/// quarters of a turn apart. Raise it and a late orientation is rounding.
+pub const MAX_SPIN: f64 = 1e6;
+
+/// Longest distance that may lie behind a body as its motion begins, in metres.
+///
+/// A path of ten thousand pieces across the whole domain is not longer.
+pub const MAX_DISTANCE: f64 = 1e17;
+
 /// Shortest time step, in seconds.
 ///
 /// Below it the world's clock, after an hour, would not move at all.

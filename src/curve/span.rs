@@ -125,6 +125,15 @@ impl Span {
         }
     }
 
+    /// Both halves of the span, by its parameter.
+    pub(crate) fn halves(&self, velocity: &[DVec3; 3]) -> [Self; 2] {
+        let half = 0.5 * self.width;
+        [self.u_start, self.u_start + half].map(|start| {
+            let hodograph = Hodograph::over(velocity, start, half);
+            Self::new(start, half, &hodograph, hodograph.length_to(1.0))
+        })
+    }
+
     /// Where on the span, from 0 to 1, the arc length from its start is
     /// `distance`.
     ///

@@ -1,7 +1,7 @@
 //! Splines.
 
 use crate::curve::arc_length::ArcLength;
-use crate::curve::{CubicBezier, hermite};
+use crate::curve::{CubicBezier, catmull_rom, hermite};
 use crate::error::PathError;
 use crate::math::domain;
 use crate::tolerance::{MAX_COORDINATE, MIN_LENGTH};
@@ -10,7 +10,7 @@ use glam::DVec3;
 /// A curve through given points, walked by the distance flown along it.
 ///
 /// Between two successive points lies a piece, a [`CubicBezier`]; in the points
-/// the pieces share their tangent. Distances are arc lengths in metres from the
+/// the pieces share their tangent, unless [given](Self::bezier) otherwise. Distances are arc lengths in metres from the
 /// first point; below 0 and beyond [`length`](Self::length) they are clamped, and NaN
 /// counts as 0. The given points are met bit for bit.
 ///
@@ -20,8 +20,9 @@ use glam::DVec3;
 /// rounding in the coordinates, rather than interpolated as the thesis does it
 /// ([`ArcLengthTable`](crate::ArcLengthTable)).
 ///
-/// A look-up costs some 100 to 200 ns, and its steps do not grow with the
-/// number of pieces; building costs some 4 µs a piece.
+/// A look-up evaluates one polynomial, well below 100 ns, and its steps do not grow
+/// with the number of pieces; at random among ten thousand of them it mostly waits for
+/// memory, some 2 kB a piece. For that building costs some 20 µs a piece.
 ///
 /// Source: the thesis, section 2.2.8.
 ///
@@ -56,7 +57,32 @@ pub struct Spline {
     pieces: Vec<CubicBezier>,
     /// One for every point, as given or Catmull's; the pieces hold them only rounded.
     tangents: Vec<DVec3>,
+    form: Form,
     arc_length: ArcLength,
+}
+
+/// What a spline was made from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Form {
+    /// Points and tangents.
+    Hermite,
+    /// Control points.
+    Bezier,
+}
+
+/// How the parameter runs between the points of a Catmull–Rom spline.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Knots {
+    /// The same between any two points. Where near points follow on far ones
+    /// the curve overshoots, and may cross itself.
+    Uniform,
+    /// As the root of their distance: the curve stays close to its points and has
+    /// neither cusps nor loops between two of them.
+    ///
+    /// Yuksel, Schaefer and Keyser, *Parameterization and applications of
+    /// Catmull–Rom curves* (2011).
+    #[default]
+    Centripetal,
 }
 
 impl Spline {
@@ -104,16 +130,101 @@ impl Spline {
         Self::from_checked(&points, tangents)
     }
 
+    /// The Catmull–Rom spline through `points`, in metres.
+    ///
+    /// The tangent in a point follows from the point, the one before and the one after.
+    /// Before the first point and after the last each lies one more, as far on as
+    /// its neighbour is back; but if the last point is the first one again the
+    /// spline closes smoothly, and a body may loop on it.
+    ///
+    /// Source: Catmull and Rom, *A class of local interpolating splines* (1974);
+    /// tangents for any knots after Barry and Goldman (1988).
+    ///
+    /// ```
+    /// use feeler::Knots;
+    /// use feeler::{Motion, Spline};
+    ///
+    /// let ring = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [1.0, 0.0, 0.0]];
+    /// let ring = Spline::catmull_rom(ring, Knots::Centripetal)?;
+    /// assert!((ring.tangent_at(0.0) - ring.tangent_at(ring.length())).length() < 1e-15);
+    /// assert!(Motion::along(ring.into(), 1.0)?.looping().is_ok());
+    ///
+    /// assert!(Spline::catmull_rom([[0.0; 3]], Knots::Uniform).is_err());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// If there are fewer than two points, if a component is not finite or
+    /// beyond [`MAX_COORDINATE`], or if a piece is shorter than [`MIN_LENGTH`].
+    pub fn catmull_rom<P: Into<DVec3>>(
+        points: impl IntoIterator<Item = P>,
+        knots: Knots,
+    ) -> Result<Self, PathError> {
+        let points = checked_points(points)?;
+        Self::from_control_points(&catmull_rom::control_points(&points, knots))
+    }
+
+    /// The spline of the cubic Bézier curves with the given control points, in metres:
+    /// `B0 B1 B2 B3` of the first, then `B1 B2 B3` of each further one, which
+    /// begins where the one before ends.
+    ///
+    /// So there are no gaps; but a control point, the joint after it and the
+    /// next control point need not lie on one line, and then the spline has a corner
+    /// there: a body turns at once, at full speed.
+    ///
+    /// ```
+    /// use feeler::{PathError, Spline};
+    ///
+    /// let eight = [[-2.0, 2.0, 0.0], [-2.0, -2.0, 0.0], [2.0, -2.0, 0.0], [2.0, 2.0, 0.0]];
+    /// assert!((Spline::bezier(eight)?.length() - 8.0).abs() < 1e-14);
+    ///
+    /// let error = Spline::bezier([[0.0; 3]; 5]);
+    /// assert_eq!(error, Err(PathError::ControlPointCount { count: 5 }));
+    /// # Ok::<(), PathError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// If there are not 4, 7, 10 … control points, if a component is not finite or
+    /// beyond [`MAX_COORDINATE`], or if a piece is shorter than [`MIN_LENGTH`].
+    pub fn bezier<P: Into<DVec3>>(
+        control_points: impl IntoIterator<Item = P>,
+    ) -> Result<Self, PathError> {
+        Self::from_control_points(&checked("control point", control_points)?)
+    }
+
+    fn from_control_points(points: &[DVec3]) -> Result<Self, PathError> {
+        let count = points.len();
+        if count < 4 || count % 3 != 1 {
+            return Err(PathError::ControlPointCount { count });
+        }
+        let pieces = (0..count / 3)
+            .map(|piece| CubicBezier::new([0, 1, 2, 3].map(|i| points[3 * piece + i])))
+            .collect::<Result<Vec<_>, _>>()?;
+        let leaving = pieces.iter().map(|piece| piece.derivative(0.0));
+        let arriving = pieces.last().map(|piece| piece.derivative(1.0));
+        let tangents = leaving.chain(arriving).collect();
+        Self::of_pieces(pieces, tangents, Form::Bezier)
+    }
+
     fn from_checked(points: &[DVec3], tangents: Vec<DVec3>) -> Result<Self, PathError> {
         let pieces: Vec<_> = points
             .windows(2)
             .zip(tangents.windows(2))
             .map(|(p, t)| CubicBezier::from_hermite_unchecked(p[0], t[0], p[1], t[1]))
             .collect();
+        Self::of_pieces(pieces, tangents, Form::Hermite)
+    }
+
+    fn of_pieces(
+        pieces: Vec<CubicBezier>,
+        tangents: Vec<DVec3>,
+        form: Form,
+    ) -> Result<Self, PathError> {
         match ArcLength::measure(&pieces, MIN_LENGTH) {
             Ok(arc_length) => Ok(Self {
                 pieces,
                 tangents,
+                form,
                 arc_length,
             }),
             Err((piece, length)) => Err(PathError::PieceTooShort {
@@ -137,10 +248,17 @@ impl Spline {
         first.into_iter().chain(others)
     }
 
-    /// The tangents in its points, as they were given or chosen.
+    /// The tangents in its points, as they were given or chosen: where a spline of
+    /// Bézier curves has a corner or changes its pace the leaving one, at its end the
+    /// arriving one.
     #[must_use]
     pub fn tangents(&self) -> &[DVec3] {
         &self.tangents
+    }
+
+    #[cfg(feature = "serde")]
+    pub(crate) fn form(&self) -> Form {
+        self.form
     }
 
     /// The length of the whole spline, in metres.

@@ -1,24 +1,37 @@
 //! The motion of one body in one frame.
 
-use crate::motion::Motion;
+use crate::geometry::Pose;
+use crate::motion::journey::{Journey, Waypoint};
 use crate::motion::kind::Kind;
-use glam::DVec3;
+use crate::motion::spin;
+use crate::motion::{AtEnd, Motion, Turning};
+use glam::{DQuat, DVec3};
 
 /// What a body does during one frame; fractions of the frame run over `0..=1`.
+///
+/// Positions and displacements are those of the carried point (see
+/// [`Motion::position_after`]); [`pose_at`](Self::pose_at) alone knows how the
+/// body is turned. Everything counts from the frame's start, with the distance
+/// flown till then reduced to one lap and the angle to one turn: within a frame an
+/// hour's flight behind it costs no digits.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct FrameMotion {
-    /// Seconds of its motion behind the body as the frame begins.
-    elapsed: f64,
     /// Length of the frame in seconds.
-    duration: f64,
+    pub(super) duration: f64,
+    /// Distance flown as the frame begins, less whole laps.
+    pub(super) flown: f64,
+    /// How the body has been turned by its spin as the frame begins.
+    turned: DQuat,
     /// Where the body is as the frame begins.
     pub(crate) start: DVec3,
     /// From where it starts to where it is as the frame ends.
     pub(crate) displacement: DVec3,
     /// How far it strays at most from the straight and even motion along `displacement`.
     pub(crate) deviation: f64,
+    /// Fraction up to which it rests because it has not set out; 0 if it has.
+    pub(super) rests_until: f64,
     /// Fraction from which it rests because its path has ended; 1 or more if it has not.
-    pub(crate) rests_from: f64,
+    pub(super) rests_from: f64,
     /// Whether it follows a curve before it rests.
     pub(crate) curved: bool,
 }
@@ -26,36 +39,88 @@ pub(crate) struct FrameMotion {
 impl FrameMotion {
     pub(crate) fn new(motion: &Motion, elapsed: f64, duration: f64) -> Self {
         let mut frame = Self {
-            elapsed,
             duration,
+            flown: 0.0,
+            turned: match motion.turning() {
+                Turning::Spin(spin) => spin.rotation_after(elapsed),
+                Turning::Not | Turning::Facing(_) => DQuat::IDENTITY,
+            },
             start: motion.position_after(elapsed),
             displacement: DVec3::ZERO,
             deviation: 0.0,
+            rests_until: 0.0,
             rests_from: f64::INFINITY,
             curved: false,
         };
-        if let Kind::Along { path, speed } = motion.kind() {
-            let left = (path.length() - speed * elapsed).max(0.0);
-            // A frame too short for the clock to move on lasts 0 s.
-            frame.rests_from = if left > 0.0 {
-                left / (speed * duration)
+        if let Kind::Along(journey) = motion.kind() {
+            frame.flown = journey.flown_after(elapsed);
+            let wait = journey.start_time - elapsed;
+            if wait > 0.0 {
+                // A frame too short for the clock to move on lasts 0 s. Any
+                // fraction above 1 will do for a later frame.
+                frame.rests_until = (wait / duration).clamp(f64::MIN_POSITIVE, 2.0);
+            }
+            if journey.is_over(frame.flown) {
+                frame.rests_from = 0.0;
             } else {
-                0.0
-            };
-            frame.curved = !path.is_straight() && left > 0.0;
+                if journey.at_end == AtEnd::Rest {
+                    let left = journey.path.length() - frame.flown;
+                    frame.rests_from = frame.rests_until + left / (journey.speed * duration);
+                }
+                frame.curved = !journey.path.is_straight();
+            }
         }
         frame.displacement = frame.displacement_between(motion, 0.0, 1.0);
         frame.deviation = frame.deviation_from(motion, frame.displacement, 0.0, 1.0);
         frame
     }
 
+    /// Seconds of flight between two fractions, rests left out.
+    pub(super) fn flying(&self, from: f64, to: f64) -> f64 {
+        let within = |fraction: f64| fraction.max(self.rests_until).min(self.rests_from);
+        (within(to) - within(from)) * self.duration
+    }
+
+    /// Distance flown at `fraction`.
+    pub(super) fn flown_at(&self, journey: &Journey, fraction: f64) -> f64 {
+        if fraction >= self.rests_from {
+            // To the bit.
+            return self.flown.max(journey.path.length());
+        }
+        self.flown + journey.speed * self.flying(0.0, fraction)
+    }
+
+    fn waypoint(&self, journey: &Journey, fraction: f64) -> Waypoint {
+        journey.waypoint(self.flown_at(journey, fraction))
+    }
+
     /// Where the body is at `fraction`.
     pub(crate) fn position_at(&self, motion: &Motion, fraction: f64) -> DVec3 {
-        if self.curved {
-            motion.position_after(self.elapsed + fraction * self.duration)
-        } else {
-            self.start + self.displacement_between(motion, 0.0, fraction)
+        match motion.kind() {
+            Kind::Along(journey) if self.curved => {
+                let waypoint = self.waypoint(journey, fraction);
+                journey.path.position_at(waypoint.distance)
+            }
+            _ => self.start + self.displacement_between(motion, 0.0, fraction),
         }
+    }
+
+    /// Where a body is at `fraction`, and how it is turned, that was turned by
+    /// `orientation` as its motion began.
+    pub(crate) fn pose_at(&self, motion: &Motion, orientation: DQuat, fraction: f64) -> Pose {
+        let position = self.position_at(motion, fraction);
+        let turned = match (motion.turning(), motion.kind()) {
+            (Turning::Spin(spin), _) => {
+                let angle = spin.rate() * (fraction * self.duration);
+                spin::about(spin.axis(), angle) * self.turned
+            }
+            (Turning::Facing(attitude), Kind::Along(journey)) => {
+                let waypoint = self.waypoint(journey, fraction);
+                attitude.along(journey.path.tangent_at(waypoint.distance))
+            }
+            (Turning::Not | Turning::Facing(_), _) => DQuat::IDENTITY,
+        };
+        motion.posed(position, turned, orientation)
     }
 
     /// From where the body is at fraction `from` to where it is at fraction `to`.
@@ -66,13 +131,23 @@ impl FrameMotion {
         match motion.kind() {
             Kind::Fixed { .. } => DVec3::ZERO,
             Kind::Free { velocity, .. } => ((to - from) * self.duration) * *velocity,
-            Kind::Along { path, speed } if path.is_straight() => {
-                let moving = to.min(self.rests_from) - from.min(self.rests_from);
-                (moving * self.duration * speed) * path.tangent_at(0.0)
+            Kind::Along(journey) if journey.path.is_straight() => {
+                let [start, end] = [from, to].map(|fraction| self.flown_at(journey, fraction));
+                let way = if self.end_after(journey, from).0 >= to {
+                    let (_, forward) = journey.lap(start, end);
+                    let sense = if forward { 1.0 } else { -1.0 };
+                    sense * journey.speed * self.flying(from, to)
+                } else {
+                    journey.waypoint(end).distance - journey.waypoint(start).distance
+                };
+                way * journey.path.tangent_at(0.0)
             }
-            Kind::Along { path, speed } => {
-                let distance = |fraction: f64| speed * (self.elapsed + fraction * self.duration);
-                path.position_at(distance(to)) - path.position_at(distance(from))
+            Kind::Along(journey) => {
+                let position = |fraction: f64| {
+                    let waypoint = self.waypoint(journey, fraction);
+                    journey.path.position_at(waypoint.distance)
+                };
+                position(to) - position(from)
             }
         }
     }
@@ -85,27 +160,37 @@ impl FrameMotion {
     /// the body is at most `λs` from one end and `(1−λ)s` from the other, and
     /// by Stewart's theorem at most `√(λ(1−λ)(s² − c²)) ≤ ½√(s² − c²)` from
     /// where it would be on the chord. For short arcs that is 15 % more than
-    /// the sagitta.
+    /// the sagitta. Corners, laps and turning round change nothing in that.
     pub(crate) fn deviation_from(&self, motion: &Motion, chord: DVec3, from: f64, to: f64) -> f64 {
-        let Kind::Along { path, speed } = motion.kind() else {
+        let Kind::Along(journey) = motion.kind() else {
             return 0.0;
         };
-        let moving = to.min(self.rests_from) - from.min(self.rests_from);
-        let arc = moving * self.duration * speed;
-        if to > self.rests_from {
-            // Partly at rest. A straight path is ahead of even motion, most of
-            // all where it ends; a curve no farther from the chord than its length.
-            let share = if path.is_straight() {
-                (to - self.rests_from) / (to - from)
-            } else {
-                1.0
-            };
-            return if arc > 0.0 { arc * share } else { 0.0 };
-        }
-        if path.is_straight() {
+        let arc = journey.speed * self.flying(from, to);
+        if arc <= 0.0 {
             return 0.0;
         }
-        let chord = chord.length();
+        // Up to its very end a path is one way.
+        let one_way = self.end_after(journey, from).0 >= to;
+        let straight = journey.path.is_straight() && one_way;
+        if from < self.rests_until || to > self.rests_from {
+            // Partly at rest. A straight path is ahead of or behind even
+            // motion, most of all where it begins or ends; a curve no farther
+            // from the chord than its length.
+            let late = (self.rests_until - from).max(0.0);
+            let early = (to - self.rests_from).max(0.0);
+            return if straight {
+                arc * (late.max(early) / (to - from))
+            } else {
+                arc
+            };
+        }
+        if straight {
+            return 0.0;
+        }
+        // Distances along the path and its points are rounded, and of a short arc far
+        // from the origin that may be all of the difference.
+        let coordinate = self.start.abs().max_element() + arc + journey.path.length();
+        let chord = (chord.length() - 4.0 * f64::EPSILON * coordinate).max(0.0);
         // The few ulp cover the rounding of both lengths where they nearly agree.
         0.5 * (((arc - chord) * (arc + chord)).max(0.0) + 4.0 * f64::EPSILON * arc * arc).sqrt()
     }
@@ -118,19 +203,55 @@ impl FrameMotion {
     pub(crate) fn turn_between(&self, motion: &Motion, from: f64, to: f64) -> f64 {
         /// Metres before and after; the thesis's value.
         const REACH: f64 = 0.01;
-        let Kind::Along { path, speed } = motion.kind() else {
+        let Kind::Along(journey) = motion.kind() else {
             return 0.0;
         };
-        if path.is_straight() {
+        if journey.path.is_straight() {
             return 0.0;
         }
-        let distance = speed * (self.elapsed + from * self.duration);
-        let tangent = path.position_at(distance + REACH) - path.position_at(distance - REACH);
+        let Waypoint { distance, forward } = self.waypoint(journey, from);
+        let path = &journey.path;
+        let way = path.position_at(distance + REACH) - path.position_at(distance - REACH);
+        let tangent = if forward { way } else { -way };
         let chord = self.displacement_between(motion, from, to);
         if tangent.length_squared() > 0.0 && chord.length_squared() > 0.0 {
             tangent.angle_between(chord)
         } else {
             0.0
         }
+    }
+
+    /// The next fraction after `from` at which the motion is not smooth, as far as
+    /// chords are concerned: where it sets out, turns round or rests; 1 if
+    /// there is none.
+    pub(crate) fn next_break(&self, motion: &Motion, from: f64) -> f64 {
+        let Kind::Along(journey) = motion.kind() else {
+            return 1.0;
+        };
+        if from < self.rests_until {
+            return self.rests_until.min(1.0);
+        }
+        if from >= self.rests_from {
+            return 1.0;
+        }
+        let next = self.end_after(journey, from).0.min(self.rests_from);
+        // NaN, of a frame without length, counts as none.
+        if next > from { next.min(1.0) } else { 1.0 }
+    }
+
+    /// The fraction at which the body next reaches an end of its path, after `from`,
+    /// and the distance flown by then; infinite if it does not.
+    ///
+    /// An end that lies at `from` itself has been passed, whatever side of it
+    /// rounding puts the distance flown.
+    pub(super) fn end_after(&self, journey: &Journey, from: f64) -> (f64, f64) {
+        let fraction =
+            |end: f64| self.rests_until + (end - self.flown) / (journey.speed * self.duration);
+        let end = journey.next_end(self.flown_at(journey, from));
+        if fraction(end) > from {
+            return (fraction(end), end);
+        }
+        let end = journey.next_end(end);
+        (fraction(end), end)
     }
 }

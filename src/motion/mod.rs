@@ -1,12 +1,41 @@
 //! How bodies move.
+//!
+//! A [`Motion`] carries a point of the body: it stays, follows a [`Path`], or flies
+//! freely. About that point the body may turn: not at all, at a constant rate
+//! ([`Motion::spin`]), or along the path's tangent ([`Motion::facing`]).
 
+#[cfg_attr(
+    not(test),
+    allow(dead_code, reason = "what certified casts along curves build on")
+)]
+mod bounds;
 #[cfg(feature = "serde")]
 mod data;
+mod facing;
 mod frame_motion;
+mod journey;
 mod kind;
+#[cfg_attr(
+    not(test),
+    allow(dead_code, reason = "what certified casts along curves build on")
+)]
+mod leg;
 mod path;
+mod spin;
+#[cfg_attr(
+    not(test),
+    allow(dead_code, reason = "what certified casts along curves build on")
+)]
+mod stretch;
+#[cfg(test)]
+mod tests;
+mod turning;
 
+pub use facing::Facing;
+pub use journey::AtEnd;
 pub use kind::Motion;
 pub use path::Path;
+pub use spin::Spin;
 
 pub(crate) use frame_motion::FrameMotion;
+pub(crate) use turning::Turning;

@@ -1,6 +1,6 @@
 //! Paths.
 
-use crate::curve::Spline;
+use crate::curve::{Knots, Spline};
 use crate::error::PathError;
 use crate::math::domain;
 use crate::tolerance::{MAX_COORDINATE, MIN_LENGTH};
@@ -121,6 +121,28 @@ impl Path {
         tangents: impl IntoIterator<Item = T>,
     ) -> Result<Self, PathError> {
         Spline::with_tangents(points, tangents).map(Self::from)
+    }
+
+    /// The path through `points` alone: see [`Spline::catmull_rom`].
+    ///
+    /// # Errors
+    /// As for [`Spline::catmull_rom`].
+    pub fn catmull_rom<P: Into<DVec3>>(
+        points: impl IntoIterator<Item = P>,
+        knots: Knots,
+    ) -> Result<Self, PathError> {
+        Spline::catmull_rom(points, knots).map(Self::from)
+    }
+
+    /// The path along the cubic Bézier curves with the given control points: see
+    /// [`Spline::bezier`].
+    ///
+    /// # Errors
+    /// As for [`Spline::bezier`].
+    pub fn bezier<P: Into<DVec3>>(
+        control_points: impl IntoIterator<Item = P>,
+    ) -> Result<Self, PathError> {
+        Spline::bezier(control_points).map(Self::from)
     }
 
     /// The length of the whole path, in metres.

@@ -50,7 +50,10 @@
 //!
 //! Motions: `{ fixed = position }`, `{ line = { from, to, speed } }`,
 //! `{ spline = { points, start_tangent, end_tangent, speed } }` or with `tangents`
-//! for every point, `{ free = { position, velocity } }`.
+//! for every point or `control_points` instead of both, `{ free = { position, velocity } }`. Lines and splines take
+//! `at_end` (`rest`, `loop`, `return`), `start_distance` and `start_time` as well. Beside
+//! the course may stand `spin = { axis, rate, point }` (`point` may be left out) or
+//! `facing = { forward, up, world_up }`.
 //!
 //! Orientations: a quaternion `[x, y, z, w]`, or `{ axis, degrees }`.
 

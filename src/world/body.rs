@@ -1,8 +1,8 @@
 //! Bodies.
 
 use crate::error::{BodyError, ValueError};
-use crate::geometry::Shape;
-use crate::motion::Motion;
+use crate::geometry::{Pose, Shape};
+use crate::motion::{Motion, Turning};
 use glam::{DQuat, DVec3};
 
 /// A shape that stands or moves in a world.
@@ -50,7 +50,7 @@ impl Body {
         }
     }
 
-    /// The body turned to `orientation`, a quaternion of unit length.
+    /// The body turned to `orientation`, a quaternion of unit length, as its motion begins.
     ///
     /// It is checked when the body is inserted into a world.
     #[must_use]
@@ -67,7 +67,7 @@ impl Body {
         &self.shape
     }
 
-    /// The body's orientation.
+    /// The body's orientation as its motion begins.
     #[must_use]
     pub fn orientation(&self) -> DQuat {
         self.orientation
@@ -77,6 +77,37 @@ impl Body {
     #[must_use]
     pub fn motion(&self) -> &Motion {
         &self.motion
+    }
+
+    /// Where the body is, and how it is turned, after `elapsed` seconds of its motion.
+    #[must_use]
+    pub fn pose_after(&self, elapsed: f64) -> Pose {
+        self.motion.pose_after(elapsed, self.orientation)
+    }
+
+    /// A sphere that follows the body's motion without turning, and holds the body
+    /// however that is turned meanwhile: from the motion's position to its
+    /// centre, and its radius.
+    ///
+    /// A body that spins keeps its distance to every point of its axis, so
+    /// the sphere is that around the axis's point nearest to the middle of the
+    /// body. One that faces its way keeps only its origin where it is.
+    pub(crate) fn hub(&self) -> (DVec3, f64) {
+        let (centre, radius) = (self.shape.centre(), self.shape.max_dist());
+        // Turning things rounds them by a few ulp of their size.
+        let grown = |radius: f64, size: f64| radius + 16.0 * f64::EPSILON * (radius + size);
+        match self.motion.turning() {
+            Turning::Not => (self.orientation * centre, radius),
+            Turning::Spin(spin) => {
+                let point = self.orientation * spin.point();
+                let arm = self.orientation * (centre - spin.point());
+                let along = arm.dot(spin.axis()) * spin.axis();
+                let reach = radius + (arm - along).length();
+                let size = spin.point().length() + centre.length();
+                (point + along, grown(reach, size))
+            }
+            Turning::Facing(_) => (DVec3::ZERO, grown(radius + centre.length(), 0.0)),
+        }
     }
 
     /// The body, if all that was left unchecked is in order.

@@ -113,7 +113,8 @@ impl CollisionWorld {
         Ok(id)
     }
 
-    /// Takes a body out of the world. Its motion is the one it was given, from the beginning.
+    /// Takes a body out of the world. Its motion is the one it was given last, from
+    /// the beginning, and its orientation the one it had then.
     ///
     /// # Errors
     /// If there is no such body (any more).
@@ -126,6 +127,8 @@ impl CollisionWorld {
 
     /// Gives a body another motion, from the world's present time on.
     ///
+    /// It begins with the orientation the body has got till now.
+    ///
     /// # Errors
     /// If there is no such body (any more).
     pub fn set_motion(&mut self, id: BodyId, motion: Motion) -> Result<(), BodyError> {
@@ -137,12 +140,18 @@ impl CollisionWorld {
             .ok_or(BodyError::UnknownBody { id })?;
         // In free flight a body's whole path is unknown before and after.
         let keeps_pairs = resident.body.motion.is_free() && motion.is_free();
-        let from = resident.body.motion.position_after(time - resident.since);
-        let to = motion.position_after(0.0);
-        let rounding = touch_tolerance(resident.reach, to.abs().max_element());
-        resident.placed |= from.distance(to) > rounding;
+        let from = resident.body.pose_after(time - resident.since);
+        resident.body.orientation = from.orientation;
         resident.body.motion = motion;
+        let to = resident.body.pose_after(0.0);
+        let rounding = touch_tolerance(resident.reach, to.position.abs().max_element());
+        // A turn carries the body's points farther than its origin.
+        let turn = (to.orientation - from.orientation).length();
+        let turn = turn.min((to.orientation + from.orientation).length());
+        let shift = from.position.distance(to.position) + 2.0 * turn * resident.reach;
+        resident.placed |= shift > rounding;
         resident.since = time;
+        (resident.centre_offset, resident.reach) = resident.body.hub();
         if !keeps_pairs {
             self.changed.push(id.slot);
         }
@@ -153,6 +162,9 @@ impl CollisionWorld {
     /// Lets a body fly on freely from where it is, with another velocity (in
     /// metres per second).
     ///
+    /// If it spins it goes on spinning about the same point, and the velocity is
+    /// that point's. If it was facing its way it keeps the orientation it has.
+    ///
     /// # Errors
     /// If there is no such body (any more), or a component of the velocity is
     /// not finite or beyond [`MAX_SPEED`](crate::tolerance::MAX_SPEED).
@@ -162,23 +174,22 @@ impl CollisionWorld {
         velocity: impl Into<DVec3>,
     ) -> Result<(), BodyError> {
         let position = self.pose(id)?.position;
-        self.set_motion(id, Motion::free(position, velocity)?)
+        let motion = Motion::free(position, velocity)?;
+        let motion = motion.turning_as(self.resident(id)?.body.motion());
+        self.set_motion(id, motion)
     }
 
-    /// Where a body is now.
+    /// Where a body is now, and how it is turned.
     ///
     /// # Errors
     /// If there is no such body (any more).
     pub fn pose(&self, id: BodyId) -> Result<Pose, BodyError> {
         let resident = self.resident(id)?;
-        let position = resident
-            .body
-            .motion
-            .position_after(self.time - resident.since);
-        Ok(Pose::new(position, resident.body.orientation))
+        Ok(resident.body.pose_after(self.time - resident.since))
     }
 
-    /// How fast a body moves now, and whereto, in metres per second.
+    /// How fast a body moves now, and whereto, in metres per second; of a body
+    /// that spins, the point it spins about.
     ///
     /// # Errors
     /// If there is no such body (any more).
@@ -263,10 +274,11 @@ impl CollisionWorld {
 
 impl Resident {
     pub(super) fn new(body: Body, since: f64, solver: &Solver) -> Self {
+        let (centre_offset, reach) = body.hub();
         Self {
             since,
-            centre_offset: body.orientation * body.shape.centre(),
-            reach: body.shape.max_dist(),
+            centre_offset,
+            reach,
             placed: true,
             points: solver.surface_points(&body.shape),
             frame: FrameMotion::new(&body.motion, 0.0, 1.0),

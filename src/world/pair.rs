@@ -40,14 +40,15 @@ impl<'a> Mover<'a> {
     }
 
     fn pose_at(&self, fraction: f64) -> Pose {
-        Pose::new(
-            self.frame.position_at(self.motion, fraction),
-            self.orientation,
-        )
+        self.frame.pose_at(self.motion, self.orientation, fraction)
     }
 
     fn displacement(&self, from: f64, to: f64) -> DVec3 {
         self.frame.displacement_between(self.motion, from, to)
+    }
+
+    fn turn(&self, from: f64, to: f64) -> f64 {
+        self.frame.angle_between(self.motion, from, to)
     }
 
     fn deviation(&self, chord: DVec3, from: f64, to: f64) -> f64 {
@@ -114,20 +115,34 @@ pub(crate) fn examine(
     {
         return Some(contact.into());
     }
-    // Where a path ends, its body stops; between such moments motions are smooth.
-    let mut ends = [a.frame.rests_from, b.frame.rests_from].map(|end| end.clamp(0.0, 1.0));
-    ends.sort_by(f64::total_cmp);
+    // Where paths begin and end bodies set out, turn round and stop; between such
+    // moments motions are smooth.
     let mut from = 0.0;
-    for to in [ends[0], ends[1], 1.0] {
-        if to > from {
-            if let Some(finding) = pair.examine_smooth(from, to) {
-                return Some(finding);
-            }
-            from = to;
+    for _ in 0..MAX_BREAKS {
+        let next = |mover: &Mover<'_>| mover.frame.next_break(mover.motion, from);
+        let to = next(a).min(next(b));
+        if let Some(finding) = pair.examine_smooth(from, to) {
+            return Some(finding);
+        }
+        from = to;
+        if from >= 1.0 {
+            return None;
         }
     }
-    None
+    pair.examine_smooth(from, 1.0)
 }
+
+/// Radians that two bodies may turn together on a stretch, which is examined
+/// with both turned as it begins.
+///
+/// A point of a body is off by this share of its distance to the axis at most. What a
+/// turn brings together without any motion is found as the next stretch begins.
+const TURN: f64 = 1e-2;
+
+/// So many laps within one frame are examined one by one. The rest is examined
+/// along chords that are halved where they stray, which cuts the corner where a
+/// body turns round by as much as chords may stray.
+const MAX_BREAKS: u32 = 10_000;
 
 struct Pair<'a> {
     a: &'a Mover<'a>,
@@ -144,7 +159,8 @@ impl Pair<'_> {
         self.a.reach + self.b.reach
     }
 
-    /// From the first bounding centre to the second.
+    /// From the first hub to the second: the centres of the spheres that hold the
+    /// bodies however they turn.
     fn between(&self, fraction: f64) -> DVec3 {
         let position = |mover: &Mover<'_>| mover.frame.position_at(mover.motion, fraction);
         position(self.b) - position(self.a) + (self.b.centre_offset - self.a.centre_offset)
@@ -196,9 +212,12 @@ impl Pair<'_> {
         if early_out::reject(between, motion, self.reach() + deviation).is_some() {
             return None;
         }
-        if let Some(share) = self.stretching.chords
-            && deviation > share * self.leniency() * self.reach()
-        {
+        let strays = self
+            .stretching
+            .chords
+            .is_some_and(|share| deviation > share * self.leniency() * self.reach());
+        let turn = self.a.turn(from, to) + self.b.turn(from, to);
+        if strays || turn > TURN * self.leniency() {
             let middle = 0.5 * (from + to);
             if from < middle && middle < to {
                 self.halvings += 1;
@@ -221,7 +240,7 @@ impl Pair<'_> {
                 .into(),
             );
         }
-        self.cast(from, to, between, motions)
+        self.cast(from, to, motions)
     }
 
     /// By how much more than asked chords may stray: 1, unless there are very many.
@@ -238,18 +257,15 @@ impl Pair<'_> {
     }
 
     /// The touch along the chords of one stretch.
-    fn cast(
-        &mut self,
-        from: f64,
-        to: f64,
-        between: DVec3,
-        [motion_a, motion_b]: [DVec3; 2],
-    ) -> Option<Finding> {
+    fn cast(&mut self, from: f64, to: f64, [motion_a, motion_b]: [DVec3; 2]) -> Option<Finding> {
         /// Sine of the angle to the surface below which a motion slides along it:
         /// of a ball that glides in touch, the root of what rounding leaves.
         const SLIDE: f64 = 1e-7;
         let (pose_a, pose_b) = (self.a.pose_at(from), self.b.pose_at(from));
         let (a, b) = (self.a, self.b);
+        // From the first bounding centre to the second.
+        let between = (pose_b.position - pose_a.position)
+            + (pose_b.direction(b.shape.centre()) - pose_a.direction(a.shape.centre()));
         let standing = (
             Standing {
                 shape: a.shape,
@@ -270,7 +286,7 @@ impl Pair<'_> {
             Solver::Rays(caster) => {
                 let rays = &mut self.effort.rays;
                 let ray = caster.shortest_ray(standing, between, motion, touch, rays)?;
-                let centre = pose_a.position + a.centre_offset;
+                let centre = pose_a.point(a.shape.centre());
                 Touching {
                     fraction: ray.fraction,
                     point: centre + (ray.offset + ray.fraction * motion_b),

@@ -10,9 +10,10 @@ pub(crate) struct Resident {
     pub(crate) body: Body,
     /// World time from which its motion counts.
     pub(crate) since: f64,
-    /// From its position to its bounding centre.
+    /// From its motion's position to the centre of a sphere that moves without
+    /// turning and holds it.
     pub(crate) centre_offset: DVec3,
-    /// Radius of its bounding sphere.
+    /// Radius of this sphere.
     pub(crate) reach: f64,
     /// Whether it was put where it is since the last step, and did not get there by its motion.
     pub(crate) placed: bool,

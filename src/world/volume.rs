@@ -1,7 +1,7 @@
 //! What the broad phase sees of a body.
 
 use crate::broad_phase::{BroadPhase, Flight, FrameBox, Volume};
-use crate::geometry::{Obb, Pose};
+use crate::geometry::Obb;
 use crate::sweep::{along_line, along_spline, around_static, swept_aabb};
 use crate::world::Body;
 use crate::world::slots::Resident;
@@ -23,15 +23,18 @@ fn swept(body: &Body) -> Option<Obb> {
     if motion.is_free() {
         return None;
     }
-    let Some(path) = motion.path() else {
-        let pose = Pose::new(motion.position_after(0.0), body.orientation());
-        return Some(around_static(body.shape(), &pose));
-    };
-    let offset = body.orientation() * body.shape().centre();
-    let reach = body.shape().max_dist();
-    Some(match path.as_spline() {
-        Some(spline) => along_spline(spline, offset, reach),
-        None => along_line(path.start(), path.end(), offset, reach),
+    let (offset, reach) = body.hub();
+    // Whatever happens at its ends, it does not leave its path.
+    Some(match motion.path() {
+        Some(path) => match path.as_spline() {
+            Some(spline) => along_spline(spline, offset, reach),
+            None => along_line(path.start(), path.end(), offset, reach),
+        },
+        None if motion.turns() => {
+            let position = motion.position_after(0.0);
+            along_line(position, position, offset, reach)
+        }
+        None => around_static(body.shape(), &body.pose_after(0.0)),
     })
 }
 

@@ -10,6 +10,7 @@
 )]
 
 mod doors;
+mod forms;
 mod lengths;
 mod support;
 mod table;

@@ -316,6 +316,50 @@ fn bad_motions_are_refused_as_by_their_constructors() {
         &spline(", tangents = [[1, 0, 0]], tension = 1"),
         "unknown field `tension`",
     );
+    refused(
+        "{}",
+        "a motion is one of `fixed`, `line`, `spline` and `free`",
+    );
+    let fixed = |rest: &str| format!("{{ fixed = [0, 0, 0]{rest} }}");
+    refused(
+        &fixed(", free = { position = [0, 0, 0], velocity = [0, 0, 0] }"),
+        "a motion is one of",
+    );
+    refused(
+        &fixed(", spin = { axis = [0, 0, 0], rate = 1 }"),
+        "spin.axis is 0e0",
+    );
+    refused(
+        &fixed(", spin = { axis = [0, 0, 1], rate = inf }"),
+        "spin.rate is not finite: inf",
+    );
+    refused(
+        &fixed(", spin = { axis = [0, 0, 1], rate = 1, turns = 3 }"),
+        "unknown field `turns`",
+    );
+    let facing = ", facing = { forward = [1, 0, 0], up = [0, 0, 1], world_up = [0, 0, 1] }";
+    refused(&fixed(facing), "needs a path");
+    let line = |rest: &str| {
+        format!("{{ line = {{ from = [0, 0, 0], to = [1, 0, 0], speed = 1{rest} }} }}")
+    };
+    refused(
+        &line(", at_end = \"loop\""),
+        "its end is 1e0 m from its start",
+    );
+    refused(&line(", at_end = \"stop\""), "unknown variant `stop`");
+    refused(&line(", start_time = -1"), "start_time is -1e0, below");
+    refused(
+        &line(", start_distance = nan"),
+        "start_distance is not finite",
+    );
+    refused(
+        "{ spline = { control_points = [[0, 0, 0], [1, 0, 0]], speed = 1 } }",
+        "2 control points given",
+    );
+    refused(
+        &spline(", control_points = [[0, 0, 0], [1, 0, 0]]"),
+        "`control_points` alone",
+    );
     assert_refused::<Path>(
         "{ line = { from = [0, 0, 0], to = [0, 0, 0] } }",
         "piece 0 of the path",

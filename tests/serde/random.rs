@@ -1,8 +1,8 @@
 //! Random bodies and settings.
 
 use feeler::{
-    Body, BroadPhase, Chords, Cuboid, Method, Motion, Overlaps, Path, Placement, Polytope,
-    RayConfig, Refinement, Senders, Shape, Sphere, Triangle, WorldConfig,
+    Body, BroadPhase, Chords, Cuboid, Facing, Knots, Method, Motion, Overlaps, Path, Placement,
+    Polytope, RayConfig, Refinement, Senders, Shape, Sphere, Triangle, WorldConfig,
 };
 use glam::{DQuat, DVec3};
 use rand_chacha::ChaCha8Rng;
@@ -55,14 +55,50 @@ fn motion(rng: &mut ChaCha8Rng) -> Motion {
     let count = 2 + (rng.next_u64() % 5) as usize;
     let vectors =
         |rng: &mut ChaCha8Rng| -> Vec<DVec3> { (0..count).map(|_| size * vector(rng)).collect() };
-    let path = match rng.next_u64() % 5 {
-        0 => return Motion::fixed(size * vector(rng)).expect("a place"),
-        1 => return Motion::free(size * vector(rng), vector(rng)).expect("a flight"),
+    let path = match rng.next_u64() % 7 {
+        0 => {
+            let place = Motion::fixed(size * vector(rng));
+            return turning(rng, place.expect("a place"));
+        }
+        1 => {
+            let flight = Motion::free(size * vector(rng), vector(rng));
+            return turning(rng, flight.expect("a flight"));
+        }
         2 => Path::line(size * vector(rng), size * vector(rng)),
         3 => Path::spline(vectors(rng), size * vector(rng), size * vector(rng)),
+        4 => Path::catmull_rom(vectors(rng), Knots::Centripetal),
+        5 => Path::bezier((0..7).map(|_| size * vector(rng))),
         _ => Path::spline_with_tangents(vectors(rng), vectors(rng)),
     };
-    Motion::along(path.expect("a path"), size * (unit(rng) + 0.01)).expect("a motion")
+    let mut motion =
+        Motion::along(path.expect("a path"), size * (unit(rng) + 0.01)).expect("a motion");
+    if rng.next_u64().is_multiple_of(2) {
+        motion = motion.back_and_forth().expect("a shuttle");
+        motion = motion.starting_at(size * unit(rng)).expect("a head start");
+    }
+    if rng.next_u64().is_multiple_of(2) {
+        motion = motion.starting_after(unit(rng)).expect("a late start");
+    }
+    if rng.next_u64().is_multiple_of(3) {
+        let facing = Facing {
+            forward: vector(rng),
+            up: vector(rng),
+            world_up: vector(rng),
+        };
+        return motion.facing(facing).expect("a facing");
+    }
+    turning(rng, motion)
+}
+
+fn turning(rng: &mut ChaCha8Rng, motion: Motion) -> Motion {
+    match rng.next_u64() % 3 {
+        0 => motion.spin(vector(rng), unit(rng)).expect("a spin"),
+        1 => {
+            let spun = motion.spin_about(vector(rng), vector(rng), -unit(rng));
+            spun.expect("a spin")
+        }
+        _ => motion,
+    }
 }
 
 pub(crate) fn body(rng: &mut ChaCha8Rng) -> Body {

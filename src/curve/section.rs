@@ -1,0 +1,134 @@
+//! A stretch of one cubic, and bounds on what it does there.
+
+use crate::curve::CubicBezier;
+use glam::DVec3;
+
+/// The velocity over a stretch of a cubic, as a quadratic Bézier curve of its own.
+///
+/// All it bounds follows from the hull of its three control points: a quadratic
+/// Bézier curve is their weighted mean, with weights that are not negative.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Section {
+    /// Control points of the derivative by the cubic's parameter.
+    velocity: [DVec3; 3],
+    /// How far the parameter goes; negative if the stretch is passed backwards.
+    width: f64,
+    /// 1, or −1 if it is passed backwards.
+    sense: f64,
+}
+
+impl Section {
+    /// The stretch of `curve` between two parameters, passed from the first to the
+    /// second, which is `forward` if the second is greater.
+    pub(crate) fn of(curve: &CubicBezier, [u_from, u_to]: [f64; 2], forward: bool) -> Self {
+        let [v0, v1, v2] = curve.velocity();
+        let mix = |u: f64, a: DVec3, b: DVec3| (1.0 - u) * a + u * b;
+        // The blossom: what is linear in each of two parameters, and the curve
+        // where both are the same.
+        let blossom = |a: f64, b: f64| mix(b, mix(a, v0, v1), mix(a, v1, v2));
+        Self {
+            velocity: [
+                blossom(u_from, u_from),
+                blossom(u_from, u_to),
+                blossom(u_to, u_to),
+            ],
+            width: u_to - u_from,
+            sense: if forward { 1.0 } else { -1.0 },
+        }
+    }
+
+    /// From the first point of the stretch to its four control points.
+    pub(crate) fn control_offsets(&self) -> [DVec3; 4] {
+        let [a, b, c] = self.velocity;
+        let third = self.width / 3.0;
+        [DVec3::ZERO, third * a, third * (a + b), third * (a + b + c)]
+    }
+
+    /// Unit tangents at both ends, in the direction of flight; zero in a cusp.
+    pub(crate) fn end_tangents(&self) -> [DVec3; 2] {
+        [self.velocity[0], self.velocity[2]].map(|v| self.sense * v.normalize_or_zero())
+    }
+
+    /// A cone around all tangents, in the direction of flight; none if they have no
+    /// direction in common, as beside a cusp.
+    pub(crate) fn tangents(&self) -> Option<TangentCone> {
+        let units = self
+            .velocity
+            .map(|velocity| self.sense * velocity.normalize_or_zero());
+        let axis = (units[0] + units[1] + units[2]).try_normalize()?;
+        // A control point that vanishes adds nothing to any mean.
+        let cosine = units
+            .into_iter()
+            .filter(|unit| *unit != DVec3::ZERO)
+            .map(|unit| unit.dot(axis))
+            .fold(1.0, f64::min);
+        // Some ulp wider than computed.
+        let cosine = cosine - 8.0 * f64::EPSILON;
+        (cosine > 0.0).then(|| TangentCone {
+            axis,
+            cosine,
+            sine: ((1.0 - cosine) * (1.0 + cosine)).sqrt(),
+        })
+    }
+
+    /// An upper bound on the curvature, per metre; infinite beside a cusp.
+    ///
+    /// With the velocity's control points `w` and the parameter `x` over the
+    /// stretch, `v × v' = 2(x̄² w0×w1 + x̄x w0×w2 + x² w1×w2)` with `x̄ = 1 − x`:
+    /// a quadratic Bézier curve again, no larger than its control points. The
+    /// curvature is its size over `|v|³`, and `|v|` is at least the least
+    /// share of a control point along the axis of the cone of tangents.
+    pub(crate) fn curvature(&self) -> f64 {
+        let Some(cone) = self.tangents() else {
+            return f64::INFINITY;
+        };
+        let [a, b, c] = self.velocity;
+        let slowest = [a, b, c]
+            .into_iter()
+            .map(|velocity| velocity.dot(cone.axis).abs())
+            .fold(f64::INFINITY, f64::min);
+        // Over the stretch, both by its own parameter: one width in v', none in
+        // the velocities here, which are by the cubic's.
+        let cross = a
+            .cross(b)
+            .length()
+            .max(0.5 * a.cross(c).length())
+            .max(b.cross(c).length());
+        let bound = 2.0 * cross / (self.width.abs() * slowest * slowest * slowest);
+        // 0/0 of a straight stretch that halts: nothing is known.
+        if bound.is_nan() {
+            f64::INFINITY
+        } else {
+            bound * (1.0 + 32.0 * f64::EPSILON)
+        }
+    }
+}
+
+/// Unit vectors within some angle, less than a right one, of an axis.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct TangentCone {
+    axis: DVec3,
+    cosine: f64,
+    sine: f64,
+}
+
+impl TangentCone {
+    /// The greatest component along the unit vector `direction` of a vector in the cone.
+    pub(crate) fn most_along(&self, direction: DVec3) -> f64 {
+        let cosine = self.axis.dot(direction);
+        if cosine >= self.cosine {
+            return 1.0;
+        }
+        // cos(β − α) of the angles β to the direction and α of the cone.
+        let sine = self.axis.cross(direction).length();
+        (cosine * self.cosine + sine * self.sine + 8.0 * f64::EPSILON).min(1.0)
+    }
+
+    /// The least sine of the angle between a vector in the cone and the line along
+    /// the unit vector `direction`.
+    pub(crate) fn least_aside(&self, direction: DVec3) -> f64 {
+        let cosine = self.axis.dot(direction).abs();
+        let sine = self.axis.cross(direction).length();
+        (sine * self.cosine - cosine * self.sine - 8.0 * f64::EPSILON).max(0.0)
+    }
+}

@@ -1,0 +1,94 @@
+//! A frame is a part of a motion, and its stretches make it up.
+
+use super::Random;
+use crate::motion::kind::Kind;
+use crate::motion::stretch::Course;
+use crate::motion::{FrameMotion, Path};
+
+#[test]
+fn a_frame_is_where_its_motion_is() {
+    let mut random = Random::seeded(1);
+    for case in 0..2_000 {
+        let size = random.decades(-3.0, 3.0);
+        let motion = random.motion(size);
+        let orientation = random.turn();
+        let elapsed = random.within(0.0, 3.0);
+        let duration = random.decades(-3.0, 0.5);
+        let frame = FrameMotion::new(&motion, elapsed, duration);
+        let place = motion.position_after(elapsed).length();
+        let path = motion.path().map_or(size, Path::length);
+        for step in 0..=20 {
+            let fraction = f64::from(step) / 20.0;
+            let got = frame.pose_at(&motion, orientation, fraction);
+            let want = motion.pose_after(elapsed + fraction * duration, orientation);
+            let off = got.position.distance(want.position);
+            assert!(
+                off <= 1e-12 * (place + 40.0 * path + 40.0 * size),
+                "case {case}, {fraction}: {off:e} of {size:e}, {motion:?}"
+            );
+            if motion.spinning().is_some() {
+                let turn = got.orientation.dot(want.orientation).abs();
+                assert!(turn > 1.0 - 1e-15, "case {case}, {fraction}: {turn}");
+            }
+            assert!(got.orientation.is_normalized());
+        }
+    }
+}
+
+#[test]
+fn stretches_follow_one_another_and_tell_where_the_body_is() {
+    let mut random = Random::seeded(2);
+    let mut curves = 0;
+    for case in 0..1_000 {
+        let size = random.decades(-2.0, 2.0);
+        let motion = random.motion(size);
+        let elapsed = random.within(0.0, 3.0);
+        let frame = FrameMotion::new(&motion, elapsed, random.decades(-2.0, 0.5));
+        let place = motion.position_after(elapsed).length();
+        let path = motion.path().map_or(size, Path::length);
+        let speed = match motion.kind() {
+            Kind::Along(journey) => journey.speed,
+            Kind::Fixed { .. } | Kind::Free { .. } => 0.0,
+        };
+        let allowed = 1e-12 * (place + 40.0 * path + 40.0 * size);
+        let (mut from, mut count) = (0.0, 0);
+        while from < 1.0 {
+            let stretch = frame.stretch_at(&motion, from);
+            assert!(
+                stretch.from <= from && stretch.to > from && stretch.to <= 1.0,
+                "case {case}: {stretch:?}"
+            );
+            let start = frame.position_at(&motion, stretch.from);
+            for share in [0.0, 0.3, 0.9, 1.0] {
+                let fraction = from + share * (stretch.to - from);
+                let want = frame.position_at(&motion, fraction);
+                let got = match stretch.course {
+                    Course::Rest => start,
+                    Course::Straight(velocity) => {
+                        start + (fraction - from) * frame.duration * velocity
+                    }
+                    Course::Curve(curve) => {
+                        curves += 1;
+                        let u = curve.u_at(&motion, share);
+                        let way = speed * (stretch.to - from) * frame.duration;
+                        let off = way * (curve.share_at(&motion, u) - share).abs();
+                        assert!(
+                            off <= 1e-13 * path,
+                            "case {case}, {share} of {stretch:?}: {off:e}"
+                        );
+                        curve.piece.point(u)
+                    }
+                };
+                assert!(
+                    got.distance(want) <= allowed,
+                    "case {case}, {fraction} of {stretch:?}: {:e} of {size:e}",
+                    got.distance(want)
+                );
+            }
+            from = stretch.to;
+            count += 1;
+            assert!(count < 2_000, "case {case}: {motion:?}");
+        }
+    }
+    assert!(curves > 2_000, "only {curves} on curves");
+}
