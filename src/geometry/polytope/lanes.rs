@@ -6,12 +6,20 @@ use glam::DVec3;
 const WIDTH: usize = 4;
 
 /// Four vertices; places left over hold NaN, which is never farthest.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy)]
 #[repr(align(32))]
 pub(crate) struct Lanes {
     x: [f64; WIDTH],
     y: [f64; WIDTH],
     z: [f64; WIDTH],
+}
+
+/// By bits, so that a polytope equals itself in spite of NaN.
+impl PartialEq for Lanes {
+    fn eq(&self, other: &Self) -> bool {
+        let bits = |lanes: &Self| [lanes.x, lanes.y, lanes.z].map(|row| row.map(f64::to_bits));
+        bits(self) == bits(other)
+    }
 }
 
 impl Lanes {

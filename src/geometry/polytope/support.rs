@@ -54,11 +54,15 @@ impl Support {
         self.climb(vertices, direction, start)
     }
 
-    /// The same, sought from a vertex that is thought to be near.
-    pub(super) fn vertex_near(&self, vertices: &[DVec3], direction: DVec3, start: u32) -> u32 {
+    /// The same, sought from a vertex that may be nearer than the table's.
+    pub(super) fn vertex_near(&self, vertices: &[DVec3], direction: DVec3, guess: u32) -> u32 {
         if self.starts.is_empty() {
             return scan(vertices, direction);
         }
+        let start = self.starts[self.cell(direction)];
+        let reach = |vertex: u32| direction.dot(vertices[vertex as usize]);
+        let nearer = reach(guess) > reach(start);
+        let start = std::hint::select_unpredictable(nearer, guess, start);
         self.climb(vertices, direction, start)
     }
 
