@@ -9,12 +9,14 @@
 
 mod axes;
 mod bounds;
+mod bvh;
 mod config;
 mod frame_pairs;
 mod pair_list;
 mod rays;
 
 pub use axes::obb_overlap_by_axes;
+pub use bvh::Bvh;
 pub use config::{BroadPhase, ObbTest};
 pub use frame_pairs::{Flight, FrameBox, FramePairs};
 pub use pair_list::{PairList, Volume};

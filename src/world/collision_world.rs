@@ -1,13 +1,15 @@
 //! The world as its users see it.
 
-use crate::broad_phase::{FramePairs, PairList, Volume};
+use crate::broad_phase::{BroadPhase, Bvh, FramePairs, PairList, Volume};
 use crate::error::{BodyError, ConfigError};
 use crate::geometry::{Pose, Shape};
 use crate::motion::{FrameMotion, Motion};
 use crate::tolerance::touch_tolerance;
-use crate::world::envelope::Envelope;
+use crate::world::finding::{Findings, PairKey};
 use crate::world::slots::{Resident, Slots};
 use crate::world::solver::Solver;
+use crate::world::stirred::Stirred;
+use crate::world::tracks::{self, Course, Span, Track};
 use crate::world::{Body, BodyId, Contact, StepStats, WorldConfig};
 use glam::DVec3;
 
@@ -46,15 +48,23 @@ pub struct CollisionWorld {
     pub(super) volumes: Vec<Option<Volume>>,
     /// Slots whose pairs are to be listed anew.
     pub(super) changed: Vec<u32>,
+    /// The bodies' boxes: for pairs, if [`BroadPhase::Bvh`] is set, and for queries.
+    pub(super) bvh: Bvh,
+    /// Each slot's body as the broad phase and the early-outs see it.
+    pub(super) tracks: Vec<Track>,
+    /// Slots with bodies on paths, and perhaps others.
+    pub(super) on_paths: Vec<u32>,
+    /// Until then, by the world's clock, no body flies out of the domain of coordinates.
+    pub(super) safe_until: f64,
+    /// Bodies inserted or given a motion since the last step.
+    pub(super) stirred: Stirred,
     pub(super) contacts: Vec<Contact>,
-    /// Pairs that were reported as touching and have not parted since, by slot, sorted.
-    pub(super) touching: Vec<(u32, u32)>,
-    /// Pairs with a contact in the last step, by slot, the lower first, sorted.
-    pub(super) met: Vec<(u32, u32)>,
-    /// Those of `touching` that still touched as the frame at hand began.
-    pub(super) resting: Vec<(u32, u32)>,
-    /// Each slot's body as the early-outs see it, in the frame at hand.
-    pub(super) envelopes: Vec<Envelope>,
+    /// Pairs that were reported as touching and have not parted since, sorted.
+    pub(super) touching: Vec<PairKey>,
+    /// Pairs with a contact in the last step, sorted.
+    pub(super) met: Vec<PairKey>,
+    /// What the narrow phase found in the frame at hand.
+    pub(super) findings: Findings,
     /// Pairs that passed the early-outs of the frame at hand.
     pub(super) survivors: Vec<(u32, u32)>,
     pub(super) stats: StepStats,
@@ -86,11 +96,15 @@ impl CollisionWorld {
             frame_pairs: FramePairs::default(),
             volumes: Vec::new(),
             changed: Vec::new(),
+            bvh: Bvh::default(),
+            tracks: Vec::new(),
+            on_paths: Vec::new(),
+            safe_until: f64::INFINITY,
+            stirred: Stirred::default(),
             contacts: Vec::new(),
             touching: Vec::new(),
             met: Vec::new(),
-            resting: Vec::new(),
-            envelopes: Vec::new(),
+            findings: Findings::default(),
             survivors: Vec::new(),
             stats: StepStats::default(),
         }
@@ -109,7 +123,9 @@ impl CollisionWorld {
             .ok_or(BodyError::TooManyBodies { max: Slots::MAX })?;
         self.slots
             .insert(id, Resident::new(body, self.time, &self.solver));
-        self.changed.push(id.slot);
+        self.stirred.place(id.slot);
+        self.track(id.slot);
+        self.list(id.slot);
         Ok(id)
     }
 
@@ -119,8 +135,11 @@ impl CollisionWorld {
     /// If there is no such body (any more).
     pub fn remove(&mut self, id: BodyId) -> Result<Body, BodyError> {
         let resident = self.slots.remove(id).ok_or(BodyError::UnknownBody { id })?;
-        self.changed.push(id.slot);
-        self.forget_touches(id.slot);
+        if let Some(track) = self.tracks.get_mut(id.slot as usize) {
+            *track = Track::VACANT;
+        }
+        self.bvh.remove(id.slot);
+        self.volume_changed(id.slot);
         Ok(resident.body)
     }
 
@@ -136,18 +155,67 @@ impl CollisionWorld {
             .get_mut(id)
             .ok_or(BodyError::UnknownBody { id })?;
         // In free flight a body's whole path is unknown before and after.
-        let keeps_pairs = resident.body.motion.is_free() && motion.is_free();
+        let keeps_volume = resident.body.motion.is_free() && motion.is_free();
+        let keeps_kind = resident.body.motion.is_fixed() == motion.is_fixed();
         let from = resident.body.motion.position_after(time - resident.since);
         let to = motion.position_after(0.0);
         let rounding = touch_tolerance(resident.reach, to.abs().max_element());
-        resident.placed |= from.distance(to) > rounding;
+        let placed = from.distance(to) > rounding;
         resident.body.motion = motion;
         resident.since = time;
-        if !keeps_pairs {
-            self.changed.push(id.slot);
+        if placed {
+            self.stirred.place(id.slot);
+        } else {
+            self.stirred.divert(id.slot);
         }
-        self.forget_touches(id.slot);
+        self.track(id.slot);
+        if placed || !keeps_kind {
+            self.list(id.slot);
+        } else if !keeps_volume {
+            self.volume_changed(id.slot);
+        }
         Ok(())
+    }
+
+    /// Writes the track of a body that has a new motion.
+    fn track(&mut self, slot: u32) {
+        let Some(resident) = self.slots.at(slot) else {
+            return;
+        };
+        let track = Track::new(resident);
+        if self.tracks.len() <= slot as usize {
+            self.tracks.resize(slot as usize + 1, Track::VACANT);
+        }
+        if let Some(place) = self.tracks.get_mut(slot as usize) {
+            *place = track;
+        }
+        match track.course {
+            Course::Path => self.on_paths.push(slot),
+            Course::Free => self.safe_until = self.safe_until.min(track.safe_until()),
+            Course::Fixed | Course::Vacant => {}
+        }
+    }
+
+    /// Makes a body known to the broad phase, which knows it nowhere or elsewhere.
+    fn list(&mut self, slot: u32) {
+        /// So many bodies outside the trees cost a query little.
+        const WAITING: usize = 64;
+        let Some(track) = self.tracks.get(slot as usize) else {
+            return;
+        };
+        self.bvh.insert(slot, track.course != Course::Fixed);
+        if self.bvh.waiting() >= WAITING {
+            let (tracks, span) = (&self.tracks, Span::at(self.time));
+            self.bvh.settle(|slot| tracks::swept(tracks, slot, span));
+        }
+        self.volume_changed(slot);
+    }
+
+    /// Has the pairs of a body listed anew, if such lists are kept.
+    fn volume_changed(&mut self, slot: u32) {
+        if self.config.broad_phase != BroadPhase::Bvh {
+            self.changed.push(slot);
+        }
     }
 
     /// Lets a body fly on freely from where it is, with another velocity (in
@@ -250,24 +318,38 @@ impl CollisionWorld {
             .filter(move |contact| contact.a == id || contact.b == id)
     }
 
+    /// Bytes of memory in use, spare room included, but for what paths and
+    /// polytopes, which may be shared, hold themselves.
+    #[must_use]
+    pub fn memory(&self) -> usize {
+        fn of<T>(list: &Vec<T>) -> usize {
+            list.capacity() * size_of::<T>()
+        }
+        size_of::<Self>()
+            + self.slots.memory()
+            + self.bvh.memory()
+            + self.stirred.memory()
+            + self.findings.memory()
+            + (of(&self.tracks) + of(&self.on_paths) + of(&self.contacts))
+            + (of(&self.touching) + of(&self.met) + of(&self.survivors))
+            + (of(&self.volumes) + of(&self.changed))
+    }
+
     /// What the last step did, and how long it took.
     #[must_use]
     pub fn stats(&self) -> &StepStats {
         &self.stats
     }
-
-    fn forget_touches(&mut self, slot: u32) {
-        self.touching.retain(|&(a, b)| a != slot && b != slot);
-    }
 }
 
 impl Resident {
     pub(super) fn new(body: Body, since: f64, solver: &Solver) -> Self {
+        let centre_offset = body.orientation * body.shape.centre();
         Self {
             since,
-            centre_offset: body.orientation * body.shape.centre(),
+            centre_offset,
             reach: body.shape.max_dist(),
-            placed: true,
+            half: tracks::half_extents(&body, centre_offset),
             points: solver.surface_points(&body.shape),
             frame: FrameMotion::new(&body.motion, 0.0, 1.0),
             body,

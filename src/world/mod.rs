@@ -1,18 +1,21 @@
 //! The world: bodies in, contacts out.
 
+mod balls;
 mod body;
 mod collision_world;
 mod config;
 mod contact;
 #[cfg(feature = "serde")]
 mod data;
-mod envelope;
+mod finding;
 mod id;
 mod pair;
 mod slots;
 mod solver;
 mod stats;
 mod step;
+mod stirred;
+mod tracks;
 mod volume;
 
 pub use body::Body;
