@@ -81,7 +81,7 @@ impl Totals {
     }
 }
 
-fn main() -> Result<(), Box<dyn Error>> {
+fn main() -> Result<(), Box<dyn Error + Send + Sync>> {
     let Some(options) = Options::from_arguments()? else {
         return Ok(());
     };
@@ -89,7 +89,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         "{} balls in a box, {} frames of 1/{RATE} s, {} thread(s)",
         options.bodies, options.frames, options.threads
     );
-    Ok(options.in_threads(|| run(&options))??)
+    options.in_threads(|| run(&options))?
 }
 
 fn run(options: &Options) -> Result<(), Box<dyn Error + Send + Sync>> {

@@ -108,6 +108,6 @@ pub use raycast::{RayCast, RayHit, RaySpan, SurfacePoint};
 #[cfg(feature = "serde")]
 pub use scene::{NamedBody, Scene};
 pub use world::{
-    Advance, Body, BodyId, CollisionWorld, Contact, ContactKind, Method, PairContact, PhaseTimes,
+    Advance, Body, BodyId, CollisionWorld, Contact, ContactKind, Groups, Method, PairContact, PhaseTimes,
     StepStats, WorldConfig, first_contact,
 };

@@ -16,7 +16,7 @@ pub struct Options {
 
 impl Options {
     /// None if only help was asked for, which has been printed.
-    pub fn from_arguments() -> Result<Option<Self>, Box<dyn Error>> {
+    pub fn from_arguments() -> Result<Option<Self>, Box<dyn Error + Send + Sync>> {
         let mut options = Self {
             bodies: 20_000,
             frames: 60,
@@ -45,7 +45,7 @@ impl Options {
     pub fn in_threads<T: Send>(
         &self,
         work: impl FnOnce() -> T + Send,
-    ) -> Result<T, Box<dyn Error>> {
+    ) -> Result<T, Box<dyn Error + Send + Sync>> {
         if self.threads != 1 {
             return Err("more threads need the feature `parallel`".into());
         }

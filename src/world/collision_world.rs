@@ -6,6 +6,7 @@ use crate::geometry::{Pose, Shape};
 use crate::motion::{FrameMotion, Motion};
 use crate::tolerance::touch_tolerance;
 use crate::world::finding::{Findings, PairKey};
+use crate::world::gate::Passed;
 use crate::world::slots::{Resident, Slots};
 use crate::world::solver::Solver;
 use crate::world::stirred::Stirred;
@@ -49,9 +50,7 @@ pub struct CollisionWorld {
     /// Slots whose pairs are to be listed anew.
     pub(super) changed: Vec<u32>,
     /// The bodies' boxes: for pairs, if [`BroadPhase::Bvh`] is set, and for queries.
-    pub(super) bvh: Bvh,
-    /// Each slot's body as the broad phase and the early-outs see it.
-    pub(super) tracks: Vec<Track>,
+    pub(super) bvh: Bvh<Track>,
     /// Slots with bodies on paths, and perhaps others.
     pub(super) on_paths: Vec<u32>,
     /// Until then, by the world's clock, no body flies out of the domain of coordinates.
@@ -66,7 +65,7 @@ pub struct CollisionWorld {
     /// What the narrow phase found in the frame at hand.
     pub(super) findings: Findings,
     /// Pairs that passed the early-outs of the frame at hand.
-    pub(super) survivors: Vec<(u32, u32)>,
+    pub(super) passed: Passed,
     pub(super) stats: StepStats,
 }
 
@@ -97,7 +96,6 @@ impl CollisionWorld {
             volumes: Vec::new(),
             changed: Vec::new(),
             bvh: Bvh::default(),
-            tracks: Vec::new(),
             on_paths: Vec::new(),
             safe_until: f64::INFINITY,
             stirred: Stirred::default(),
@@ -105,7 +103,7 @@ impl CollisionWorld {
             touching: Vec::new(),
             met: Vec::new(),
             findings: Findings::default(),
-            survivors: Vec::new(),
+            passed: Passed::default(),
             stats: StepStats::default(),
         }
     }
@@ -124,8 +122,8 @@ impl CollisionWorld {
         self.slots
             .insert(id, Resident::new(body, self.time, &self.solver));
         self.stirred.place(id.slot);
-        self.track(id.slot);
-        self.list(id.slot);
+        self.track(id.slot, true);
+        self.volume_changed(id.slot);
         Ok(id)
     }
 
@@ -135,9 +133,6 @@ impl CollisionWorld {
     /// If there is no such body (any more).
     pub fn remove(&mut self, id: BodyId) -> Result<Body, BodyError> {
         let resident = self.slots.remove(id).ok_or(BodyError::UnknownBody { id })?;
-        if let Some(track) = self.tracks.get_mut(id.slot as usize) {
-            *track = Track::VACANT;
-        }
         self.bvh.remove(id.slot);
         self.volume_changed(id.slot);
         Ok(resident.body)
@@ -168,47 +163,35 @@ impl CollisionWorld {
         } else {
             self.stirred.divert(id.slot);
         }
-        self.track(id.slot);
-        if placed || !keeps_kind {
-            self.list(id.slot);
-        } else if !keeps_volume {
+        self.track(id.slot, placed || !keeps_kind);
+        if placed || !keeps_volume {
             self.volume_changed(id.slot);
         }
         Ok(())
     }
 
-    /// Writes the track of a body that has a new motion.
-    fn track(&mut self, slot: u32) {
+    /// Writes the track of a body that has a new motion; `anew` if the hierarchies
+    /// do not have the body, or have it where it is not.
+    fn track(&mut self, slot: u32, anew: bool) {
+        /// So many bodies outside the trees cost a query little.
+        const WAITING: usize = 64;
         let Some(resident) = self.slots.at(slot) else {
             return;
         };
         let track = Track::new(resident);
-        if self.tracks.len() <= slot as usize {
-            self.tracks.resize(slot as usize + 1, Track::VACANT);
-        }
-        if let Some(place) = self.tracks.get_mut(slot as usize) {
-            *place = track;
-        }
         match track.course {
             Course::Path => self.on_paths.push(slot),
             Course::Free => self.safe_until = self.safe_until.min(track.safe_until()),
-            Course::Fixed | Course::Vacant => {}
+            Course::Fixed => {}
         }
-    }
-
-    /// Makes a body known to the broad phase, which knows it nowhere or elsewhere.
-    fn list(&mut self, slot: u32) {
-        /// So many bodies outside the trees cost a query little.
-        const WAITING: usize = 64;
-        let Some(track) = self.tracks.get(slot as usize) else {
-            return;
-        };
-        self.bvh.insert(slot, track.course != Course::Fixed);
+        match self.bvh.get_mut(slot) {
+            Some(place) if !anew => *place = track,
+            _ => self.bvh.insert(slot, track.course != Course::Fixed, track),
+        }
         if self.bvh.waiting() >= WAITING {
-            let (tracks, span) = (&self.tracks, Span::at(self.time));
-            self.bvh.settle(|slot| tracks::swept(tracks, slot, span));
+            let span = Span::at(self.time);
+            self.bvh.settle(|track| track.swept(span));
         }
-        self.volume_changed(slot);
     }
 
     /// Has the pairs of a body listed anew, if such lists are kept.
@@ -330,8 +313,8 @@ impl CollisionWorld {
             + self.bvh.memory()
             + self.stirred.memory()
             + self.findings.memory()
-            + (of(&self.tracks) + of(&self.on_paths) + of(&self.contacts))
-            + (of(&self.touching) + of(&self.met) + of(&self.survivors))
+            + (of(&self.on_paths) + of(&self.contacts))
+            + (of(&self.touching) + of(&self.met) + of(&self.passed.pairs))
             + (of(&self.volumes) + of(&self.changed))
     }
 

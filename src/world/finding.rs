@@ -1,12 +1,18 @@
 //! From what the narrow phase finds to the contacts of a frame.
 
+use crate::broad_phase::{Bvh, Leaf, LeafId};
 use crate::motion::FrameMotion;
 use crate::world::pair::{self, Finding, Mover, PairEffort};
-use crate::world::slots::Slots;
+use crate::world::slots::{Resident, Slots};
 use crate::world::solver::Solver;
 use crate::world::stirred::Stirred;
 use crate::world::tracks::{Course, Span, Track};
 use crate::world::{Contact, ContactKind, Method, WorldConfig, balls};
+
+/// So many pairs are examined at a time where there are several threads: enough
+/// to be worth handing over, few enough that nobody waits long for the last.
+#[cfg(feature = "parallel")]
+const CHUNK: usize = 512;
 
 /// A pair of slots, the lower one first, as one number to sort by.
 pub(super) type PairKey = u64;
@@ -21,7 +27,7 @@ pub(super) fn key(a: u32, b: u32) -> PairKey {
 pub(super) struct Frame<'a> {
     pub(super) config: &'a WorldConfig,
     pub(super) slots: &'a Slots,
-    pub(super) tracks: &'a [Track],
+    pub(super) bvh: &'a Bvh<Track>,
     pub(super) stirred: &'a Stirred,
     /// See [`CollisionWorld`](super::CollisionWorld).
     pub(super) touching: &'a [PairKey],
@@ -59,54 +65,75 @@ impl Findings {
 }
 
 impl Frame<'_> {
-    /// The narrow phase: whether, when, where and how these pairs meet.
-    pub(super) fn examine(
+    /// The narrow phase: whether, when, where and how pairs meet.
+    pub(super) fn examine_all(
         &self,
-        pairs: &[(u32, u32)],
+        pairs: &[(LeafId, LeafId)],
+        solver: &mut Solver,
+        findings: &mut Findings,
+    ) {
+        #[cfg(feature = "parallel")]
+        if rayon::current_num_threads() > 1 && pairs.len() > 2 * CHUNK {
+            use rayon::prelude::*;
+            let found: Vec<Findings> = pairs
+                .par_chunks(CHUNK)
+                .map(|pairs| {
+                    let mut findings = Findings::default();
+                    let mut solver = Solver::new(self.config.method);
+                    self.examine(pairs, &mut solver, &mut findings);
+                    findings
+                })
+                .collect();
+            for chunk in &found {
+                findings.append(chunk);
+            }
+            return;
+        }
+        self.examine(pairs, solver, findings);
+    }
+
+    fn examine(
+        &self,
+        pairs: &[(LeafId, LeafId)],
         solver: &mut Solver,
         findings: &mut Findings,
     ) {
         let exact = self.config.method == Method::Exact;
         for &(first, second) in pairs {
-            let (Some(a), Some(b)) = (
-                self.tracks.get(first as usize),
-                self.tracks.get(second as usize),
-            ) else {
+            let (Some(a), Some(b)) = (self.bvh.at(first), self.bvh.at(second)) else {
                 continue;
             };
-            let finding = if exact && a.is_ball && b.is_ball {
+            let finding = if exact && a.data.is_ball && b.data.is_ball {
                 findings.effort.stretches += 1;
-                balls::examine(a, b, self.span)
+                balls::examine(a.data, b.data, self.span)
             } else {
-                self.examine_bodies((first, second), solver, &mut findings.effort)
+                self.examine_bodies(&a, &b, solver, &mut findings.effort)
             };
             if let Some(finding) = finding {
-                self.note((first, second), finding, findings);
+                self.note((a.slot, b.slot), finding, findings);
             }
         }
     }
 
     fn examine_bodies(
         &self,
-        (first, second): (u32, u32),
+        a: &Leaf<'_, Track>,
+        b: &Leaf<'_, Track>,
         solver: &mut Solver,
         effort: &mut PairEffort,
     ) -> Option<Finding> {
-        let (a, b) = (self.slots.at(first)?, self.slots.at(second)?);
-        let (frame_a, frame_b) = (self.motion(first)?, self.motion(second)?);
-        let (a, b) = (Mover::new(a, &frame_a), Mover::new(b, &frame_b));
+        let (first, second) = (self.slots.at(a.slot)?, self.slots.at(b.slot)?);
+        // Straight flight is worked out here, for the few that come near another.
+        let motion = |resident: &Resident, track: &Track| {
+            if track.course == Course::Path {
+                return resident.frame;
+            }
+            let (elapsed, duration) = self.span.of_motion(resident.since);
+            FrameMotion::new(resident.body.motion(), elapsed, duration)
+        };
+        let (frame_a, frame_b) = (motion(first, a.data), motion(second, b.data));
+        let (a, b) = (Mover::new(first, &frame_a), Mover::new(second, &frame_b));
         pair::examine(solver, &a, &b, effort)
-    }
-
-    /// A body's motion in the frame. Straight flight is worked out for the few
-    /// bodies that come near another.
-    fn motion(&self, slot: u32) -> Option<FrameMotion> {
-        let resident = self.slots.at(slot)?;
-        if self.tracks.get(slot as usize)?.course == Course::Path {
-            return Some(resident.frame);
-        }
-        let (elapsed, duration) = self.span.of_motion(resident.since);
-        Some(FrameMotion::new(resident.body.motion(), elapsed, duration))
     }
 
     fn note(&self, (first, second): (u32, u32), finding: Finding, findings: &mut Findings) {
@@ -143,6 +170,20 @@ impl Frame<'_> {
 }
 
 impl Findings {
+    /// Adds what was found of other pairs.
+    #[cfg(feature = "parallel")]
+    pub(super) fn append(&mut self, other: &Self) {
+        let before = self.contacts.len() as u32;
+        self.contacts.extend_from_slice(&other.contacts);
+        self.keys.extend(other.keys.iter().map(|found| Found {
+            index: before + found.index,
+            ..*found
+        }));
+        self.resting.extend_from_slice(&other.resting);
+        self.effort.stretches += other.effort.stretches;
+        self.effort.rays += other.effort.rays;
+    }
+
     /// Bytes in use.
     pub(super) fn memory(&self) -> usize {
         self.contacts.capacity() * size_of::<Contact>()

@@ -8,6 +8,8 @@ mod contact;
 #[cfg(feature = "serde")]
 mod data;
 mod finding;
+mod gate;
+mod groups;
 mod id;
 mod pair;
 mod slots;
@@ -22,6 +24,7 @@ pub use body::Body;
 pub use collision_world::CollisionWorld;
 pub use config::{Method, WorldConfig};
 pub use contact::{Contact, ContactKind};
+pub use groups::Groups;
 pub use id::BodyId;
 pub use pair::{PairContact, first_contact};
 pub use stats::{PhaseTimes, StepStats};

@@ -4,16 +4,17 @@
 //! come first, because they are all that can still fail; what follows changes
 //! the world.
 
-use crate::broad_phase::{BroadPhase, FramePairs, PairList, Volume};
+use crate::broad_phase::{BroadPhase, Bvh, FramePairs, PairList, Volume};
 use crate::error::StepError;
 use crate::math::domain;
 use crate::motion::FrameMotion;
 use crate::tolerance::{MAX_COORDINATE, MAX_TIME_STEP, MIN_TIME_STEP};
 use crate::world::finding::{self, Frame};
+use crate::world::gate::{Gate, Keep, Phase};
 use crate::world::slots::Slots;
 use crate::world::stats::Laps;
-use crate::world::tracks::{self, Course, Span, Track};
-use crate::world::{CollisionWorld, Contact, StepStats, volume};
+use crate::world::tracks::{Course, Span, Track};
+use crate::world::{BodyId, CollisionWorld, Contact, StepStats, volume};
 
 /// How far [`CollisionWorld::step_to_contact`] came.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -47,7 +48,37 @@ impl CollisionWorld {
     /// # Ok::<(), StepError>(())
     /// ```
     pub fn step(&mut self, dt: f64) -> Result<&[Contact], StepError> {
-        self.detect(dt)?;
+        self.detect(dt, None)?;
+        self.advance(dt, 1.0);
+        Ok(&self.contacts)
+    }
+
+    /// As [`step`](Self::step), for those pairs only that `keep` answers true for.
+    ///
+    /// It is asked about pairs that have passed the broad phase, the bodies' [`Groups`](crate::Groups)
+    /// and the early-outs, in no particular order, perhaps from several threads: the
+    /// answer must depend on nothing but the pair.
+    ///
+    /// # Errors
+    /// As [`step`](Self::step).
+    ///
+    /// ```
+    /// use feeler::{Body, CollisionWorld, Motion, Sphere};
+    ///
+    /// let mut world = CollisionWorld::default();
+    /// let ball = Body::moving(Sphere::new(1.0)?, Motion::free([3.0, 0.0, 0.0], [-2.0, 0.0, 0.0])?);
+    /// let ball = world.insert(ball)?;
+    /// let friend = world.insert(Body::fixed(Sphere::new(1.0)?, [0.0, 0.0, 0.0]))?;
+    /// let strangers = |a, b| (a, b) != (ball, friend);
+    /// assert!(world.step_where(1.0, strangers)?.is_empty());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn step_where(
+        &mut self,
+        dt: f64,
+        keep: impl Fn(BodyId, BodyId) -> bool + Sync,
+    ) -> Result<&[Contact], StepError> {
+        self.detect(dt, Some(&keep))?;
         self.advance(dt, 1.0);
         Ok(&self.contacts)
     }
@@ -79,7 +110,7 @@ impl CollisionWorld {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn step_to_contact(&mut self, dt: f64) -> Result<Advance<'_>, StepError> {
-        self.detect(dt)?;
+        self.detect(dt, None)?;
         let first = self.contacts.iter().find(|contact| contact.is_touch());
         let elapsed = first.map_or(dt, |first| first.fraction * dt);
         let until = first.map_or(1.0, |first| first.fraction);
@@ -99,7 +130,7 @@ impl CollisionWorld {
     }
 
     /// Finds the contacts of the next `dt` seconds; bodies stay where they are.
-    fn detect(&mut self, dt: f64) -> Result<(), StepError> {
+    fn detect(&mut self, dt: f64, keep: Keep<'_>) -> Result<(), StepError> {
         let mut laps = Laps::start();
         domain::within("dt", dt, MIN_TIME_STEP, MAX_TIME_STEP)?;
         self.check_coordinates(dt)?;
@@ -114,7 +145,7 @@ impl CollisionWorld {
 
         self.move_bodies(span);
         stats.times.motions = laps.lap();
-        self.find_pairs(span, &mut stats, &mut laps);
+        self.find_pairs((span, keep), &mut stats, &mut laps);
         self.examine_pairs(span, &mut stats);
         stats.times.narrow_phase = laps.lap();
         self.findings.sort_into(&mut self.contacts, &self.met);
@@ -143,7 +174,7 @@ impl CollisionWorld {
                     source,
                 }
             })?;
-            if let Some(track) = self.tracks.get(slot as usize) {
+            if let Some(track) = self.bvh.get(slot) {
                 safe_until = safe_until.min(track.safe_until());
             }
         }
@@ -155,74 +186,70 @@ impl CollisionWorld {
     fn move_bodies(&mut self, span: Span) {
         let Self {
             slots,
-            tracks,
+            bvh,
             on_paths,
             ..
         } = self;
-        let is_on_path = |&slot: &u32| {
-            let track = tracks.get(slot as usize);
-            track.is_some_and(|track| track.course == Course::Path)
-        };
         if !on_paths.is_sorted_by(|a, b| a < b) {
             on_paths.sort_unstable();
             on_paths.dedup();
         }
-        on_paths.retain(is_on_path);
-        for &slot in &*on_paths {
-            let (Some(resident), Some(track)) = (slots.at_mut(slot), tracks.get_mut(slot as usize))
-            else {
-                continue;
+        on_paths.retain(|&slot| {
+            let (Some(resident), Some(track)) = (slots.at_mut(slot), bvh.get_mut(slot)) else {
+                return false;
             };
+            if track.course != Course::Path {
+                return false;
+            }
             let (elapsed, duration) = span.of_motion(resident.since);
             resident.frame = FrameMotion::new(resident.body.motion(), elapsed, duration);
             *track = Track::in_frame(resident, span);
-        }
+            true
+        });
     }
 
     /// The broad phase: which pairs can meet at all; and the early-outs: which of
     /// them cannot meet in this frame.
     ///
     /// They take turns, so that pairs are tested while they are in the cache.
-    fn find_pairs(&mut self, span: Span, stats: &mut StepStats, laps: &mut Laps) {
-        self.survivors.clear();
-        let Self {
-            tracks,
-            survivors,
-            bvh,
-            ..
-        } = self;
-        let mut reject = |pairs: &[(u32, u32)]| {
-            stats.times.broad_phase += laps.lap();
-            stats.pairs += pairs.len();
-            for &(first, second) in pairs {
-                let (Some(a), Some(b)) = (tracks.get(first as usize), tracks.get(second as usize))
-                else {
-                    debug_assert!(false, "a pair of a body that is gone");
-                    continue;
-                };
-                match a.reject(b, span) {
-                    Some(rejection) => stats.rejected.count(rejection),
-                    None => survivors.push((first, second)),
-                }
-            }
-            stats.times.early_outs += laps.lap();
+    fn find_pairs(
+        &mut self,
+        (span, keep): (Span, Keep<'_>),
+        stats: &mut StepStats,
+        laps: &mut Laps,
+    ) {
+        self.bvh.update(|track| track.swept(span));
+        let gate = Gate {
+            slots: &self.slots,
+            keep,
+            span,
         };
-        bvh.update(|slot| tracks::swept(tracks, slot, span));
+        self.passed.clear();
         if self.config.broad_phase == BroadPhase::Bvh {
-            bvh.pairs(&mut reject);
+            gate.pass_all(&mut self.bvh, &mut self.passed, |phase| match phase {
+                Phase::Broad => stats.times.broad_phase += laps.lap(),
+                Phase::EarlyOuts => stats.times.early_outs += laps.lap(),
+            });
         } else {
             Self::list_pairs(
                 self.config.broad_phase,
                 (&mut self.pairs, &mut self.frame_pairs),
                 (&mut self.volumes, &mut self.changed),
-                (&self.slots, tracks, span),
+                (&self.slots, &self.bvh, span),
             );
-            reject(self.pairs.dynamic());
-            reject(self.pairs.fixed());
-            reject(self.frame_pairs.pairs());
+            stats.times.broad_phase += laps.lap();
+            let listed = self.pairs.dynamic().iter().chain(self.pairs.fixed());
+            for &(first, second) in listed.chain(self.frame_pairs.pairs()) {
+                let leaf = |slot| self.bvh.at(self.bvh.leaf(slot)?);
+                if let (Some(a), Some(b)) = (leaf(first), leaf(second)) {
+                    gate.pass(&a, &b, &mut self.passed);
+                }
+            }
+            stats.times.early_outs += laps.lap();
         }
-        stats.times.broad_phase += laps.lap();
-        stats.examined = survivors.len();
+        stats.pairs = self.passed.seen;
+        stats.rejected = self.passed.rejected;
+        stats.examined = self.passed.pairs.len();
     }
 
     /// Brings the lists of pairs by volume up to date.
@@ -230,7 +257,7 @@ impl CollisionWorld {
         broad_phase: BroadPhase,
         (pairs, frame_pairs): (&mut PairList, &mut FramePairs),
         (volumes, changed): (&mut Vec<Option<Volume>>, &mut Vec<u32>),
-        (slots, tracks, span): (&Slots, &[Track], Span),
+        (slots, bvh, span): (&Slots, &Bvh<Track>, Span),
     ) {
         if !changed.is_empty() {
             volumes.resize(slots.capacity(), None);
@@ -243,10 +270,9 @@ impl CollisionWorld {
             pairs.update(changed, volumes);
             changed.clear();
         }
-        let tracks = || (0..).zip(tracks);
         let anyone_free = broad_phase != BroadPhase::AllPairs
-            && tracks().any(|(_, track)| track.course == Course::Free);
-        let present = tracks().filter(|(_, track)| anyone_free && track.course != Course::Vacant);
+            && bvh.iter().any(|(_, track)| track.course == Course::Free);
+        let present = bvh.iter().filter(|_| anyone_free);
         frame_pairs.update(present.map(|(slot, track)| volume::in_frame(slot, track, span)));
     }
 
@@ -256,12 +282,12 @@ impl CollisionWorld {
         let frame = Frame {
             config: &self.config,
             slots: &self.slots,
-            tracks: &self.tracks,
+            bvh: &self.bvh,
             stirred: &self.stirred,
             touching: &self.touching,
             span,
         };
-        frame.examine(&self.survivors, &mut self.solver, &mut self.findings);
+        frame.examine_all(&self.passed.pairs, &mut self.solver, &mut self.findings);
         let effort = self.findings.effort;
         (stats.stretches, stats.rays) = (effort.stretches, effort.rays);
     }

@@ -4,7 +4,7 @@ use crate::early_out::{self, Rejection};
 use crate::geometry::{Aabb, Pose, Shape};
 use crate::motion::FrameMotion;
 use crate::tolerance::{MAX_COORDINATE, TOUCH};
-use crate::world::Body;
+use crate::world::{Body, Groups};
 use crate::world::slots::Resident;
 use glam::DVec3;
 
@@ -35,14 +35,6 @@ impl Span {
     }
 }
 
-/// The box around the body in `slot` during a frame.
-#[inline]
-pub(super) fn swept(tracks: &[Track], slot: u32, span: Span) -> Aabb {
-    tracks
-        .get(slot as usize)
-        .map_or(Aabb::EMPTY, |track| track.swept(span))
-}
-
 /// A sphere, and a box within it, that fly straight and hold a body.
 ///
 /// Small, and kept apart from the rest of the body: what looks at all bodies or at
@@ -62,13 +54,12 @@ pub(super) struct Track {
     pub(super) course: Course,
     /// Whether the body is a ball in straight flight, or at rest: there is no more to it.
     pub(super) is_ball: bool,
+    pub(super) groups: Groups,
 }
 
 /// What is known of a body's motion without looking at it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Course {
-    /// There is nobody in the slot.
-    Vacant,
     Fixed,
     Free,
     /// Along a path.
@@ -94,16 +85,6 @@ fn rounded_up(half: DVec3) -> [f32; 3] {
 }
 
 impl Track {
-    pub(super) const VACANT: Self = Self {
-        centre: DVec3::ZERO,
-        velocity: DVec3::ZERO,
-        since: 0.0,
-        reach: 0.0,
-        half: [0.0; 3],
-        course: Course::Vacant,
-        is_ball: false,
-    };
-
     /// The track of a body, from when it was given its motion; for one on a path,
     /// [`in_frame`](Self::in_frame) has to follow.
     pub(super) fn new(resident: &Resident) -> Self {
@@ -128,6 +109,7 @@ impl Track {
                 (_, true) => Course::Free,
                 _ => Course::Path,
             },
+            groups: resident.body.groups,
             is_ball: matches!(resident.body.shape, Shape::Sphere(_)) && motion.path().is_none(),
         }
     }
@@ -159,6 +141,7 @@ impl Track {
             half: rounded_up(resident.half + growth),
             course: Course::Path,
             is_ball: false,
+            groups: resident.body.groups,
         }
     }
 

@@ -43,7 +43,7 @@ pub(super) fn in_frame(slot: u32, track: &Track, span: Span) -> FrameBox {
         flight: match track.course {
             Course::Free => Flight::Free,
             Course::Path => Flight::Path,
-            Course::Fixed | Course::Vacant => Flight::Fixed,
+            Course::Fixed => Flight::Fixed,
         },
     }
 }

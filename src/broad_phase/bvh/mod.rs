@@ -5,6 +5,9 @@ mod bounds;
 mod forest;
 mod order;
 mod pairs;
+#[cfg(feature = "parallel")]
+mod parallel;
 mod tree;
 
-pub use forest::Bvh;
+pub use forest::{Bvh, Leaf, LeafId};
+pub use pairs::Portion;

@@ -2,10 +2,62 @@
 
 use super::block::{Block, WIDTH};
 use super::bounds::Bounds;
-use super::forest::Mobility;
-use super::tree::Tree;
+use super::forest::{Leaf, LeafId};
+use super::tree::{Mobility, Tree};
 
-type Planted = (Mobility, Tree);
+/// Some of the pairs that a [`Bvh`](super::Bvh) finds.
+#[derive(Debug, Clone, Copy)]
+pub struct Portion<'a, T> {
+    trees: [&'a Tree<T>; 2],
+    numbers: [u32; 2],
+    pairs: &'a [(u32, u32)],
+}
+
+impl<'a, T: Copy> Portion<'a, T> {
+    pub(super) fn new(trees: &'a [Tree<T>], [a, b]: [usize; 2], pairs: &'a [(u32, u32)]) -> Option<Self> {
+        Some(Self {
+            trees: [trees.get(a)?, trees.get(b)?],
+            numbers: [a as u32, b as u32],
+            pairs,
+        })
+    }
+
+    /// How many they are.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.pairs.len()
+    }
+
+    /// Whether there are none.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.pairs.is_empty()
+    }
+
+    /// The pairs: the moving body first, of two moving ones the lower slot.
+    #[inline]
+    pub fn iter(&self) -> impl Iterator<Item = (Leaf<'a, T>, Leaf<'a, T>)> {
+        let Self {
+            trees: [tree_a, tree_b],
+            numbers,
+            pairs,
+        } = *self;
+        let leaf = |tree: &'a Tree<T>, number: u32, leaf: u32| {
+            Some(Leaf {
+                id: LeafId { tree: number, leaf },
+                slot: *tree.leaves.get(leaf as usize)?,
+                data: tree.data.get(leaf as usize)?,
+            })
+        };
+        let both_move = tree_a.mobility == tree_b.mobility;
+        let fixed_first = !both_move && tree_a.mobility == Mobility::Fixed;
+        pairs.iter().filter_map(move |&(a, b)| {
+            let (a, b) = (leaf(tree_a, numbers[0], a)?, leaf(tree_b, numbers[1], b)?);
+            let swap = fixed_first || both_move && b.slot < a.slot;
+            Some(if swap { (b, a) } else { (a, b) })
+        })
+    }
+}
 
 /// Two nodes whose leaves are to be compared, each with each; or one, whose leaves
 /// are to be compared among themselves.
@@ -35,7 +87,7 @@ impl Node {
 
 impl Job {
     /// The leaves of two trees; of one among themselves, if it is named twice.
-    pub(super) fn new(trees: &[Planted], a: usize, b: usize) -> Option<Self> {
+    pub(super) fn new<T: Copy>(trees: &[Tree<T>], a: usize, b: usize) -> Option<Self> {
         Some(Self {
             a: root(trees, a)?,
             b: root(trees, b)?,
@@ -46,14 +98,14 @@ impl Job {
     ///
     /// Answers with the number of blocks tested.
     #[inline]
-    pub(super) fn step(
+    pub(super) fn step<T: Copy>(
         self,
-        trees: &[Planted],
+        trees: &[Tree<T>],
         jobs: &mut Vec<Self>,
         mut pair: impl FnMut(u32, u32),
     ) -> u64 {
         let (a, b) = (self.a, self.b);
-        let (Some((_, tree_a)), Some((_, tree_b))) =
+        let (Some(tree_a), Some(tree_b)) =
             (trees.get(a.tree as usize), trees.get(b.tree as usize))
         else {
             return 0;
@@ -62,7 +114,7 @@ impl Job {
             return 0;
         };
         if a == b {
-            return self.among(tree_a, block_a, jobs, pair);
+            return self.among(block_a, jobs, pair);
         }
         // The higher one is opened; of two as high, both.
         if a.level > b.level {
@@ -93,7 +145,7 @@ impl Job {
                         b: b.child(lane_b),
                     });
                 } else {
-                    pair(leaf(tree_a, a, lane_a), leaf(tree_b, b, lane_b));
+                    pair(leaf(a, lane_a), leaf(b, lane_b));
                 }
             }
         }
@@ -103,7 +155,6 @@ impl Job {
     #[inline]
     fn among(
         self,
-        tree: &Tree,
         block: &Block,
         jobs: &mut Vec<Self>,
         mut pair: impl FnMut(u32, u32),
@@ -118,7 +169,7 @@ impl Job {
                         b: node.child(other),
                     });
                 } else {
-                    pair(leaf(tree, node, lane), leaf(tree, node, other));
+                    pair(leaf(node, lane), leaf(node, other));
                 }
             }
             if node.level > 0 {
@@ -130,8 +181,8 @@ impl Job {
     }
 }
 
-fn root(trees: &[Planted], tree: usize) -> Option<Node> {
-    let height = trees.get(tree)?.1.levels.len();
+fn root<T>(trees: &[Tree<T>], tree: usize) -> Option<Node> {
+    let height = trees.get(tree)?.levels.len();
     Some(Node {
         tree: u16::try_from(tree).ok()?,
         level: u16::try_from(height).ok()?.checked_sub(1)?,
@@ -140,7 +191,7 @@ fn root(trees: &[Planted], tree: usize) -> Option<Node> {
 }
 
 #[inline]
-fn block(tree: &Tree, node: Node) -> Option<&Block> {
+fn block<T>(tree: &Tree<T>, node: Node) -> Option<&Block> {
     tree.levels
         .get(node.level as usize)?
         .get(node.index as usize)
@@ -148,7 +199,7 @@ fn block(tree: &Tree, node: Node) -> Option<&Block> {
 
 /// The box around a node, which the node above it holds.
 #[inline]
-fn around(tree: &Tree, node: Node, block: &Block) -> Bounds {
+fn around<T>(tree: &Tree<T>, node: Node, block: &Block) -> Bounds {
     let above = tree.levels.get(node.level as usize + 1);
     match above.and_then(|level| level.get(node.index as usize / WIDTH)) {
         Some(parent) => parent.lane(node.index as usize % WIDTH),
@@ -157,12 +208,8 @@ fn around(tree: &Tree, node: Node, block: &Block) -> Bounds {
 }
 
 #[inline]
-fn leaf(tree: &Tree, node: Node, lane: u32) -> u32 {
-    let index = node.index as usize * WIDTH + lane as usize;
-    tree.leaves
-        .get(index)
-        .copied()
-        .unwrap_or(super::tree::NOBODY)
+fn leaf(node: Node, lane: u32) -> u32 {
+    node.index * WIDTH as u32 + lane
 }
 
 /// The numbers of the bits that are set, ascending.

@@ -7,12 +7,22 @@ use super::order::{self, Item};
 /// In a leaf whose body has gone.
 pub(super) const NOBODY: u32 = u32::MAX;
 
+/// Whether the bodies of a tree move.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Mobility {
+    Fixed,
+    Moving,
+}
+
 /// Boxes over boxes, eight to a node, without a pointer: node `i` of a level
 /// covers nodes `8i..8i + 8` of the level below, of the lowest, leaves.
-#[derive(Debug, Clone, Default)]
-pub(super) struct Tree {
+#[derive(Debug, Clone)]
+pub(super) struct Tree<T> {
+    pub(super) mobility: Mobility,
     /// Whose box each leaf holds.
     pub(super) leaves: Vec<u32>,
+    /// What is known of each leaf's body: in this order it is read in every frame.
+    pub(super) data: Vec<T>,
     /// The lowest first; the last has one node.
     pub(super) levels: Vec<Vec<Block>>,
     /// Leaves whose bodies have gone.
@@ -27,7 +37,21 @@ pub(super) struct Tree {
     pub(super) work: f64,
 }
 
-impl Tree {
+impl<T: Copy> Tree<T> {
+    pub(super) fn new(mobility: Mobility) -> Self {
+        Self {
+            mobility,
+            leaves: Vec::new(),
+            data: Vec::new(),
+            levels: Vec::new(),
+            vacant: 0,
+            arranged_surface: 0.0,
+            surface: 0.0,
+            debt: 0.0,
+            work: 0.0,
+        }
+    }
+
     /// Leaves with bodies.
     pub(super) fn live(&self) -> usize {
         self.leaves.len() - self.vacant
@@ -41,11 +65,16 @@ impl Tree {
         }
     }
 
-    /// Makes leaves of `items`, arranged, and nodes whose boxes are to be fitted.
-    pub(super) fn arrange(&mut self, items: &mut [Item]) {
+    /// Makes leaves of `bodies`, arranged, and nodes whose boxes are to be fitted.
+    ///
+    /// Items name bodies by index.
+    pub(super) fn arrange(&mut self, items: &mut [Item], bodies: &[(u32, T)]) {
         order::arrange(items);
         self.leaves.clear();
-        self.leaves.extend(items.iter().map(|&(_, slot)| slot));
+        self.data.clear();
+        let arranged = || items.iter().filter_map(|&(_, index)| bodies.get(index as usize));
+        self.leaves.extend(arranged().map(|&(slot, _)| slot));
+        self.data.extend(arranged().map(|&(_, data)| data));
         self.vacant = 0;
         let mut nodes = items.len();
         let mut level = 0;
@@ -66,14 +95,15 @@ impl Tree {
     }
 
     /// Fits all boxes to those of the bodies.
-    pub(super) fn fit(&mut self, bounds: impl Fn(u32) -> Bounds) {
+    pub(super) fn fit(&mut self, bounds: impl Fn(&T) -> Bounds) {
         let Some((lowest, upper)) = self.levels.split_first_mut() else {
             return;
         };
-        for (block, leaves) in lowest.iter_mut().zip(self.leaves.chunks(WIDTH)) {
-            for (lane, &slot) in leaves.iter().enumerate() {
+        let bodies = self.leaves.chunks(WIDTH).zip(self.data.chunks(WIDTH));
+        for (block, (leaves, data)) in lowest.iter_mut().zip(bodies) {
+            for (lane, (&slot, data)) in leaves.iter().zip(data).enumerate() {
                 if slot != NOBODY {
-                    block.set(lane, &bounds(slot));
+                    block.set(lane, &bounds(data));
                 }
             }
         }
@@ -136,6 +166,8 @@ impl Tree {
     /// Bytes in use.
     pub(super) fn memory(&self) -> usize {
         let blocks: usize = self.levels.iter().map(Vec::capacity).sum();
-        blocks * size_of::<Block>() + self.leaves.capacity() * size_of::<u32>()
+        blocks * size_of::<Block>()
+            + self.leaves.capacity() * size_of::<u32>()
+            + self.data.capacity() * size_of::<T>()
     }
 }
