@@ -95,8 +95,8 @@ pub use curve::{ArcLengthRow, ArcLengthTable, CubicBezier, Spline};
 #[cfg(feature = "serde")]
 pub use error::SceneError;
 pub use error::{
-    BodyError, ConfigError, FirstContactError, MotionError, PathError, ShapeError, StepError,
-    ValueError,
+    BodyError, ConfigError, FirstContactError, MotionError, PathError, QueryError, ShapeError,
+    StepError, ValueError,
 };
 pub use geometry::{
     Aabb, Cuboid, Edge, Face, Feature, Obb, Polytope, Pose, Ray, Shape, Sphere, Triangle,
@@ -108,6 +108,6 @@ pub use raycast::{RayCast, RayHit, RaySpan, SurfacePoint};
 #[cfg(feature = "serde")]
 pub use scene::{NamedBody, Scene};
 pub use world::{
-    Advance, Body, BodyId, CollisionWorld, Contact, ContactKind, Groups, Method, PairContact, PhaseTimes,
-    StepStats, WorldConfig, first_contact,
+    Advance, Body, BodyHit, BodyId, CollisionWorld, Contact, ContactKind, Groups, Method,
+    PairContact, PhaseTimes, QueryFilter, StepStats, WorldConfig, first_contact,
 };

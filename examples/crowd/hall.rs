@@ -11,8 +11,8 @@ use std::f64::consts::PI;
 const FILLED: f64 = 0.05;
 
 /// A world of balls, and what the caller of it keeps to throw them back.
-pub struct Hall {
-    pub world: CollisionWorld,
+pub(crate) struct Hall {
+    pub(crate) world: CollisionWorld,
     /// Half the edge of the box, in metres.
     half: f64,
     balls: Vec<Ball>,
@@ -46,7 +46,7 @@ fn direction(random: &mut ChaCha8Rng) -> DVec3 {
 
 impl Hall {
     /// `count` balls of 0.3 m to 0.7 m, at up to 10 m/s.
-    pub fn new(count: usize) -> Result<Self, Box<dyn Error + Send + Sync>> {
+    pub(crate) fn new(count: usize) -> Result<Self, Box<dyn Error + Send + Sync>> {
         let mut random = ChaCha8Rng::seed_from_u64(1);
         let radii: Vec<f64> = (0..count).map(|_| 0.3 + 0.4 * unit(&mut random)).collect();
         let volume: f64 = radii.iter().map(|r| 4.0 / 3.0 * PI * r.powi(3)).sum();
@@ -67,7 +67,7 @@ impl Hall {
     }
 
     /// Turns round those that have flown out of the box within the last `dt` seconds.
-    pub fn reflect(&mut self, dt: f64) -> Result<(), Box<dyn Error + Send + Sync>> {
+    pub(crate) fn reflect(&mut self, dt: f64) -> Result<(), Box<dyn Error + Send + Sync>> {
         for ball in &mut self.balls {
             ball.position += dt * ball.velocity;
             let outside = ball.position.abs().cmpgt(DVec3::splat(self.half));

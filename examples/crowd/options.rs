@@ -5,18 +5,18 @@ use std::error::Error;
 const HELP: &str = "\
 --bodies N    so many balls (20000)
 --frames N    so many frames (60)
---threads N   so many threads (1); more need the feature `parallel`";
+--threads N   so many threads (1); 0 for as many as there are";
 
 /// Command line options.
-pub struct Options {
-    pub bodies: usize,
-    pub frames: u32,
-    pub threads: usize,
+pub(crate) struct Options {
+    pub(crate) bodies: usize,
+    pub(crate) frames: u32,
+    pub(crate) threads: usize,
 }
 
 impl Options {
     /// None if only help was asked for, which has been printed.
-    pub fn from_arguments() -> Result<Option<Self>, Box<dyn Error + Send + Sync>> {
+    pub(crate) fn from_arguments() -> Result<Option<Self>, Box<dyn Error + Send + Sync>> {
         let mut options = Self {
             bodies: 20_000,
             frames: 60,
@@ -42,13 +42,11 @@ impl Options {
     }
 
     /// Runs `work` with as many threads as were asked for.
-    pub fn in_threads<T: Send>(
+    pub(crate) fn in_threads<T: Send>(
         &self,
         work: impl FnOnce() -> T + Send,
     ) -> Result<T, Box<dyn Error + Send + Sync>> {
-        if self.threads != 1 {
-            return Err("more threads need the feature `parallel`".into());
-        }
-        Ok(work())
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(self.threads);
+        Ok(pool.build()?.install(work))
     }
 }

@@ -92,12 +92,7 @@ impl Frame<'_> {
         self.examine(pairs, solver, findings);
     }
 
-    fn examine(
-        &self,
-        pairs: &[(LeafId, LeafId)],
-        solver: &mut Solver,
-        findings: &mut Findings,
-    ) {
+    fn examine(&self, pairs: &[(LeafId, LeafId)], solver: &mut Solver, findings: &mut Findings) {
         let exact = self.config.method == Method::Exact;
         for &(first, second) in pairs {
             let (Some(a), Some(b)) = (self.bvh.at(first), self.bvh.at(second)) else {

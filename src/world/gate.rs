@@ -6,6 +6,10 @@ use crate::world::BodyId;
 use crate::world::slots::Slots;
 use crate::world::tracks::{Span, Track};
 
+/// So many bodies are worth more than one thread.
+#[cfg(feature = "parallel")]
+const MANY: usize = 1000;
+
 /// A caller's choice of pairs, if there is one.
 pub(super) type Keep<'a> = Option<&'a (dyn Fn(BodyId, BodyId) -> bool + Sync)>;
 
@@ -59,7 +63,7 @@ impl Gate<'_> {
         mut done: impl FnMut(Phase),
     ) {
         #[cfg(feature = "parallel")]
-        if rayon::current_num_threads() > 1 {
+        if rayon::current_num_threads() > 1 && self.slots.len() >= MANY {
             let parts = bvh.pairs_in_parallel(|pairs, passed: &mut Passed| {
                 for (a, b) in pairs.iter() {
                     self.pass(&a, &b, passed);

@@ -12,6 +12,7 @@ mod gate;
 mod groups;
 mod id;
 mod pair;
+mod queries;
 mod slots;
 mod solver;
 mod stats;
@@ -27,6 +28,7 @@ pub use contact::{Contact, ContactKind};
 pub use groups::Groups;
 pub use id::BodyId;
 pub use pair::{PairContact, first_contact};
+pub use queries::{BodyHit, QueryFilter};
 pub use stats::{PhaseTimes, StepStats};
 pub use step::Advance;
 

@@ -4,8 +4,8 @@ use crate::early_out::{self, Rejection};
 use crate::geometry::{Aabb, Pose, Shape};
 use crate::motion::FrameMotion;
 use crate::tolerance::{MAX_COORDINATE, TOUCH};
-use crate::world::{Body, Groups};
 use crate::world::slots::Resident;
+use crate::world::{Body, Groups};
 use glam::DVec3;
 
 /// The frame at hand, in seconds of the world's clock.

@@ -45,6 +45,12 @@ impl Block {
         }
     }
 
+    /// Where the eight begin and end along an axis.
+    #[inline]
+    pub(super) fn sides(&self, axis: usize) -> (&[f32; WIDTH], &[f32; WIDTH]) {
+        (&self.min[axis % 3], &self.max[axis % 3])
+    }
+
     /// The box around all eight.
     #[inline]
     pub(super) fn union(&self) -> Bounds {

@@ -19,8 +19,9 @@ pub(super) struct Bounds {
 /// to the neighbouring float, and no branch.
 const ROUNDING: f64 = 1.0 / (1_u64 << 23) as f64;
 
-/// The same where numbers are so small that `f32` has no relative precision.
-const SMALLEST: f64 = 1e-37;
+/// The same in metres where numbers are small; far below the size of any body, and
+/// far above where `f32` has no relative precision.
+const SMALLEST: f64 = 1e-13;
 
 impl Bounds {
     /// Holds nothing, and overlaps nothing.

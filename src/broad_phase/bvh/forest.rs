@@ -28,7 +28,7 @@ impl LeafId {
     };
 
     /// Not in a tree yet, but among those that wait.
-    const WAITING: Self = Self {
+    pub(super) const WAITING: Self = Self {
         tree: u32::MAX,
         leaf: 0,
     };
@@ -285,13 +285,16 @@ impl<T: Copy> Bvh<T> {
     /// Another tree of the same bodies, at most twice as large.
     fn as_large(&self, index: usize) -> Option<usize> {
         let tree = &self.trees[index];
-        self.trees.iter().enumerate().position(|(other, candidate)| {
-            let live = candidate.live();
-            other != index
-                && candidate.mobility == tree.mobility
-                && live > 0
-                && live <= 2 * tree.live()
-        })
+        self.trees
+            .iter()
+            .enumerate()
+            .position(|(other, candidate)| {
+                let live = candidate.live();
+                other != index
+                    && candidate.mobility == tree.mobility
+                    && live > 0
+                    && live <= 2 * tree.live()
+            })
     }
 
     /// Leaves at most two trees, a large one and one an eighth of it at most.

@@ -7,6 +7,7 @@ mod order;
 mod pairs;
 #[cfg(feature = "parallel")]
 mod parallel;
+mod probe;
 mod tree;
 
 pub use forest::{Bvh, Leaf, LeafId};

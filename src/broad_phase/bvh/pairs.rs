@@ -14,7 +14,11 @@ pub struct Portion<'a, T> {
 }
 
 impl<'a, T: Copy> Portion<'a, T> {
-    pub(super) fn new(trees: &'a [Tree<T>], [a, b]: [usize; 2], pairs: &'a [(u32, u32)]) -> Option<Self> {
+    pub(super) fn new(
+        trees: &'a [Tree<T>],
+        [a, b]: [usize; 2],
+        pairs: &'a [(u32, u32)],
+    ) -> Option<Self> {
         Some(Self {
             trees: [trees.get(a)?, trees.get(b)?],
             numbers: [a as u32, b as u32],
@@ -105,8 +109,7 @@ impl Job {
         mut pair: impl FnMut(u32, u32),
     ) -> u64 {
         let (a, b) = (self.a, self.b);
-        let (Some(tree_a), Some(tree_b)) =
-            (trees.get(a.tree as usize), trees.get(b.tree as usize))
+        let (Some(tree_a), Some(tree_b)) = (trees.get(a.tree as usize), trees.get(b.tree as usize))
         else {
             return 0;
         };
@@ -153,12 +156,7 @@ impl Job {
     }
 
     #[inline]
-    fn among(
-        self,
-        block: &Block,
-        jobs: &mut Vec<Self>,
-        mut pair: impl FnMut(u32, u32),
-    ) -> u64 {
+    fn among(self, block: &Block, jobs: &mut Vec<Self>, mut pair: impl FnMut(u32, u32)) -> u64 {
         let node = self.a;
         for lane in 0..WIDTH as u32 {
             let later = u32::MAX << 1 << lane;

@@ -72,7 +72,11 @@ impl<T: Copy> Tree<T> {
         order::arrange(items);
         self.leaves.clear();
         self.data.clear();
-        let arranged = || items.iter().filter_map(|&(_, index)| bodies.get(index as usize));
+        let arranged = || {
+            items
+                .iter()
+                .filter_map(|&(_, index)| bodies.get(index as usize))
+        };
         self.leaves.extend(arranged().map(|&(slot, _)| slot));
         self.data.extend(arranged().map(|&(_, data)| data));
         self.vacant = 0;
