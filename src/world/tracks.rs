@@ -1,7 +1,7 @@
 //! Where bodies fly, as the broad phase and the early-outs see them.
 
 use crate::early_out::{self, Rejection};
-use crate::geometry::{Aabb, Pose, Shape};
+use crate::geometry::{Aabb, Pose, Ray, Shape};
 use crate::motion::FrameMotion;
 use crate::tolerance::{MAX_COORDINATE, TOUCH};
 use crate::world::slots::Resident;
@@ -192,5 +192,15 @@ impl Track {
         let rounding = 8.0 * f64::EPSILON * a.abs().max(b.abs()).max_element();
         let reach = self.reach + other.reach + rounding;
         early_out::reject(b - a, motion_a - motion_b, reach)
+    }
+
+    /// Whether a ray surely passes the sphere by where it is at `time`, up to fraction `until`.
+    #[inline]
+    pub(super) fn is_passed_by(&self, ray: &Ray, until: f64, time: f64) -> bool {
+        let (centre, _) = self.flight(Span::at(time));
+        let size = centre.abs().max(ray.origin.abs()).max_element();
+        // Grazes are forgiving: see the module `raycast`.
+        let reach = self.reach + 64.0 * f64::EPSILON * (size + self.reach);
+        early_out::reject(centre - ray.origin, until * ray.direction, reach).is_some()
     }
 }

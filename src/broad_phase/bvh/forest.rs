@@ -88,7 +88,6 @@ pub struct Bvh<T> {
     places: Vec<LeafId>,
     items: Vec<Item>,
     bodies: Vec<(u32, T)>,
-    jobs: Vec<Job>,
     portion: Vec<(u32, u32)>,
 }
 
@@ -101,7 +100,6 @@ impl<T> Default for Bvh<T> {
             places: Vec::new(),
             items: Vec::new(),
             bodies: Vec::new(),
-            jobs: Vec::new(),
             portion: Vec::new(),
         }
     }
@@ -207,7 +205,6 @@ impl<T: Copy> Bvh<T> {
             + self.places.capacity() * size_of::<LeafId>()
             + self.items.capacity() * size_of::<Item>()
             + self.bodies.capacity() * size_of::<(u32, T)>()
-            + self.jobs.capacity() * size_of::<Job>()
             + self.portion.capacity() * size_of::<(u32, u32)>()
             + self.waiting.capacity() * size_of::<(Mobility, u32, T)>()
     }
@@ -375,26 +372,26 @@ impl<T: Copy> Bvh<T> {
     /// O(bodies + pairs) for boxes of like size. Does not allocate once there have
     /// been as many pairs.
     pub fn pairs(&mut self, mut visit: impl FnMut(&Portion<'_, T>)) {
-        let mut jobs = std::mem::take(&mut self.jobs);
         let mut portion = std::mem::take(&mut self.portion);
+        portion.clear();
         for a in 0..self.trees.len() {
             for b in a..self.trees.len() {
                 let Some(start) = self.start(a, b) else {
                     continue;
                 };
-                jobs.clear();
-                jobs.push(start);
-                portion.clear();
-                let mut tests = 0;
-                while let Some(job) = jobs.pop() {
-                    tests += job.step(&self.trees, &mut jobs, |a, b| portion.push((a, b)));
-                    if (portion.len() >= PORTION || jobs.is_empty())
-                        && let Some(found) = Portion::new(&self.trees, [a, b], &portion)
-                    {
+                let mut told = |portion: &mut Vec<(u32, u32)>| {
+                    if let Some(found) = Portion::new(&self.trees, [a, b], portion) {
                         visit(&found);
-                        portion.clear();
                     }
-                }
+                    portion.clear();
+                };
+                let tests = start.run(&self.trees, &mut |a, b| {
+                    portion.push((a, b));
+                    if portion.len() >= PORTION {
+                        told(&mut portion);
+                    }
+                });
+                told(&mut portion);
                 if a == b
                     && let Some(tree) = self.trees.get_mut(a)
                 {
@@ -402,7 +399,7 @@ impl<T: Copy> Bvh<T> {
                 }
             }
         }
-        (self.jobs, self.portion) = (jobs, portion);
+        self.portion = portion;
     }
 
     /// The first job of two trees, or of one; none if they make no pairs.

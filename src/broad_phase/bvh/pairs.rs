@@ -155,6 +155,40 @@ impl Job {
         tests
     }
 
+    /// Finds all pairs of the two nodes' leaves; answers with the number of blocks tested.
+    pub(super) fn run<T: Copy>(self, trees: &[Tree<T>], pair: &mut impl FnMut(u32, u32)) -> u64 {
+        let (a, b) = (self.a, self.b);
+        let (Some(tree_a), Some(tree_b)) = (trees.get(a.tree as usize), trees.get(b.tree as usize))
+        else {
+            return 0;
+        };
+        if a == b {
+            return within(tree_a, a.level as usize, a.index as usize, pair);
+        }
+        let (Some(block_a), Some(block_b)) = (block(tree_a, a), block(tree_b, b)) else {
+            return 0;
+        };
+        let around_b = around(tree_b, b, block_b);
+        if a.level == b.level {
+            let nodes = [a.index as usize, b.index as usize];
+            return between([tree_a, tree_b], a.level as usize, nodes, &around_b, pair);
+        }
+        // The higher one is opened.
+        let mut tests = 1;
+        if a.level > b.level {
+            for lane in lanes(block_a.overlaps(&around_b)) {
+                let a = a.child(lane);
+                tests += Self { a, b }.run(trees, pair);
+            }
+        } else {
+            for lane in lanes(block_b.overlaps(&around(tree_a, a, block_a))) {
+                let b = b.child(lane);
+                tests += Self { a, b }.run(trees, pair);
+            }
+        }
+        tests
+    }
+
     #[inline]
     fn among(self, block: &Block, jobs: &mut Vec<Self>, mut pair: impl FnMut(u32, u32)) -> u64 {
         let node = self.a;
@@ -177,6 +211,62 @@ impl Job {
         }
         WIDTH as u64
     }
+}
+
+/// All pairs of leaves below one node.
+fn within<T>(tree: &Tree<T>, level: usize, index: usize, pair: &mut impl FnMut(u32, u32)) -> u64 {
+    let Some(block) = tree.levels.get(level).and_then(|nodes| nodes.get(index)) else {
+        return 0;
+    };
+    let first = index * WIDTH;
+    let mut tests = WIDTH as u64;
+    for lane in 0..WIDTH {
+        let later = u32::MAX << 1 << lane;
+        for other in lanes(block.overlaps(&block.lane(lane)) & later) {
+            let other = other as usize;
+            if level == 0 {
+                pair((first + lane) as u32, (first + other) as u32);
+            } else {
+                let nodes = [first + lane, first + other];
+                tests += between([tree; 2], level - 1, nodes, &block.lane(other), pair);
+            }
+        }
+        if level > 0 {
+            tests += within(tree, level - 1, first + lane, pair);
+        }
+    }
+    tests
+}
+
+/// All pairs of a leaf below one node and a leaf below another as high.
+fn between<T>(
+    trees: [&Tree<T>; 2],
+    level: usize,
+    nodes: [usize; 2],
+    around_b: &Bounds,
+    pair: &mut impl FnMut(u32, u32),
+) -> u64 {
+    let block = |side: usize| trees[side].levels.get(level)?.get(nodes[side]);
+    let (Some(a), Some(b)) = (block(0), block(1)) else {
+        return 0;
+    };
+    let first = nodes.map(|node| node * WIDTH);
+    let mut tests = 1;
+    for lane_a in lanes(a.overlaps(around_b)) {
+        tests += 1;
+        let lane_a = lane_a as usize;
+        for lane_b in lanes(b.overlaps(&a.lane(lane_a))) {
+            let lane_b = lane_b as usize;
+            let [node_a, node_b] = [first[0] + lane_a, first[1] + lane_b];
+            if level == 0 {
+                pair(node_a as u32, node_b as u32);
+            } else {
+                let around_b = b.lane(lane_b);
+                tests += between(trees, level - 1, [node_a, node_b], &around_b, pair);
+            }
+        }
+    }
+    tests
 }
 
 fn root<T>(trees: &[Tree<T>], tree: usize) -> Option<Node> {

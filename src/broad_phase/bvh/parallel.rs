@@ -48,12 +48,10 @@ impl<T: Copy + Send + Sync> Bvh<T> {
                 let parts: Vec<(S, u64)> = jobs
                     .par_chunks(chunk)
                     .map(|jobs| {
-                        let (mut jobs, mut found) = (jobs.to_vec(), Vec::new());
-                        let mut tests = 0;
-                        while let Some(job) = jobs.pop() {
-                            let pair = |a, b| found.push((a, b));
-                            tests += Job::step(job, &self.trees, &mut jobs, pair);
-                        }
+                        let mut found = Vec::new();
+                        let mut pair = |a, b| found.push((a, b));
+                        let run = |job: &Job| job.run(&self.trees, &mut pair);
+                        let tests = jobs.iter().map(run).sum();
                         (told(&found), tests)
                     })
                     .collect();

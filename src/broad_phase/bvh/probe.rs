@@ -48,8 +48,18 @@ impl Probe for Line {
             for lane in 0..WIDTH {
                 let one = (min[lane] - self.high[axis]) * inverse;
                 let other = (max[lane] - self.low[axis]) * inverse;
-                enter[lane] = enter[lane].max(one.min(other));
-                leave[lane] = leave[lane].min(one.max(other));
+                let (low, high) = if one < other {
+                    (one, other)
+                } else {
+                    (other, one)
+                };
+                // Not `max` and `min`, which mind NaN, of which there is none.
+                enter[lane] = if low > enter[lane] { low } else { enter[lane] };
+                leave[lane] = if high < leave[lane] {
+                    high
+                } else {
+                    leave[lane]
+                };
             }
         }
         let mut distances = [f32::INFINITY; WIDTH];

@@ -1,12 +1,14 @@
 //! Rays into a world.
 
 use super::{BodyHit, QueryFilter, nearer, order};
+use crate::broad_phase::Leaf;
 use crate::error::QueryError;
 use crate::geometry::Ray;
 use crate::math::domain;
 use crate::raycast::{RayCast, RayHit};
 use crate::tolerance::{MAX_COORDINATE, MAX_LENGTH, MIN_LENGTH};
 use crate::world::CollisionWorld;
+use crate::world::tracks::Track;
 use glam::DVec3;
 
 /// A ray that has been checked, and how far it goes, in directions.
@@ -94,7 +96,7 @@ impl CollisionWorld {
         let mut hits = Vec::new();
         self.bvh
             .along((&cast.ray, DVec3::ZERO), cast.until, |leaf| {
-                hits.extend(self.hit(leaf.slot, &cast, filter));
+                hits.extend(self.hit(&leaf, &cast, filter));
                 cast.until
             });
         hits.sort_unstable_by(order);
@@ -128,7 +130,7 @@ impl CollisionWorld {
         let mut first: Option<BodyHit> = None;
         self.bvh
             .along((&cast.ray, DVec3::ZERO), cast.until, |leaf| {
-                if let Some(hit) = self.hit(leaf.slot, cast, filter) {
+                if let Some(hit) = self.hit(&leaf, cast, filter) {
                     first = Some(nearer(first, hit));
                 }
                 // A little beyond, for a body that is as near and has a lower id.
@@ -138,8 +140,17 @@ impl CollisionWorld {
     }
 
     /// The hit of one body, if it is one.
-    fn hit(&self, slot: u32, cast: &Cast, filter: &QueryFilter<'_>) -> Option<BodyHit> {
-        let (id, body, pose) = self.present(slot, filter)?;
+    fn hit(
+        &self,
+        leaf: &Leaf<'_, Track>,
+        cast: &Cast,
+        filter: &QueryFilter<'_>,
+    ) -> Option<BodyHit> {
+        // Most end here, without a look at the body itself.
+        if leaf.data.is_passed_by(&cast.ray, cast.until, self.time) {
+            return None;
+        }
+        let (id, body, pose) = self.present(leaf.slot, filter)?;
         let hit = body.shape.first_hit_at(&pose, &cast.ray)?;
         let fraction = hit.fraction();
         if fraction > cast.until {
