@@ -77,7 +77,7 @@ impl Hall {
                 place *= 0.01_f64.cbrt();
             }
             let speed = match crowd {
-                Crowd::Still if number % 100 > 0 => 0.0,
+                Crowd::Still if !number.is_multiple_of(100) => 0.0,
                 Crowd::Fast => 1000.0,
                 _ => 10.0 * unit(&mut random),
             };

@@ -95,14 +95,14 @@ impl Crowd {
             _ => Sphere::new(size).unwrap().into(),
         };
         let place = match self {
-            Self::Cluster if number % 10 > 0 => 0.5 * half * random.vector() - half,
+            Self::Cluster if !number.is_multiple_of(10) => 0.5 * half * random.vector() - half,
             Self::Far => half * random.vector() + DVec3::new(3e8, -2e7, 5e5),
             _ => half * random.vector(),
         };
         let speed = if self == Self::Fast { 1000.0 } else { 10.0 };
         let velocity = speed * random.unit() * random.vector().normalize();
         let motion = match (self, number % 4) {
-            (Self::Still, _) if number % 100 > 0 => Motion::fixed(place).unwrap(),
+            (Self::Still, _) if !number.is_multiple_of(100) => Motion::fixed(place).unwrap(),
             (Self::Mixed, 0) => {
                 let path = Path::line(place, place + velocity).unwrap();
                 Motion::along(path, 6.0).unwrap()
