@@ -2,6 +2,12 @@
 //!
 //! `cargo run --release --example crowd -- --bodies 100000 --frames 120`
 
+#![allow(
+    clippy::print_stdout,
+    clippy::print_stderr,
+    reason = "an example talks to its user"
+)]
+
 #[path = "crowd/hall.rs"]
 mod hall;
 #[path = "crowd/options.rs"]
