@@ -303,6 +303,15 @@ pub enum FirstContactError {
     Step(#[from] StepError),
 }
 
+/// A world cannot be asked this.
+#[derive(Debug, Clone, Copy, PartialEq, Error)]
+#[non_exhaustive]
+pub enum QueryError {
+    /// A number is outside its domain.
+    #[error(transparent)]
+    Value(#[from] ValueError),
+}
+
 /// A scene cannot be read, or no world be made of it.
 #[cfg(feature = "serde")]
 #[derive(Debug, Clone, PartialEq, Error)]

@@ -43,7 +43,7 @@
 //! # How a frame goes
 //!
 //! Bodies and motions → every body's motion in the frame → pairs whose boxes
-//! around their whole paths overlap ([`broad_phase`]) → pairs that no early-out
+//! around it overlap ([`broad_phase`]) → pairs that no early-out
 //! rejects ([`early_out`]) → first contact of each ([`narrow_phase`]) → contacts
 //! sorted → bodies advanced. It is one function of one file, `world/step.rs`,
 //! and [`StepStats`] counts and times each phase.
@@ -58,7 +58,7 @@
 //! | [`world`] | [`CollisionWorld`], bodies, contacts, settings, one frame |
 //! | [`narrow_phase`] | exact casts; the ray method; overlap depths |
 //! | [`early_out`] | three tests that reject a pair in a few operations |
-//! | [`broad_phase`] | lists of pairs: all, or those whose swept boxes overlap |
+//! | [`broad_phase`] | pairs whose boxes overlap: hierarchies, lists, all |
 //! | [`sweep`] | boxes around whole paths |
 //! | [`motion`] | paths, motions along them, spin |
 //! | [`raycast`] | a ray against each shape |
@@ -95,8 +95,8 @@ pub use curve::{ArcLengthRow, ArcLengthTable, CubicBezier, Knots, Spline};
 #[cfg(feature = "serde")]
 pub use error::SceneError;
 pub use error::{
-    BodyError, ConfigError, FirstContactError, MotionError, PathError, ShapeError, StepError,
-    ValueError,
+    BodyError, ConfigError, FirstContactError, MotionError, PathError, QueryError, ShapeError,
+    StepError, ValueError,
 };
 pub use geometry::{
     Aabb, Cuboid, Edge, Face, Feature, Obb, Polytope, Pose, Ray, Shape, Sphere, Triangle,
@@ -108,6 +108,6 @@ pub use raycast::{RayCast, RayHit, RaySpan, SurfacePoint};
 #[cfg(feature = "serde")]
 pub use scene::{NamedBody, Scene};
 pub use world::{
-    Advance, Body, BodyId, CollisionWorld, Contact, ContactKind, Method, PairContact, PhaseTimes,
-    StepStats, WorldConfig, first_contact,
+    Advance, Body, BodyHit, BodyId, CollisionWorld, Contact, ContactKind, Groups, Method,
+    PairContact, PhaseTimes, QueryFilter, StepStats, WorldConfig, first_contact,
 };

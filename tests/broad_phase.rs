@@ -313,7 +313,7 @@ fn every_pair_whose_paths_meet_is_listed() {
         .map(|_| ball(&mut random, 12.0))
         .map(|(ball, volume)| (ball, Some(volume)))
         .unzip();
-    let pairs = PairList::build(BroadPhase::default(), &volumes);
+    let pairs = PairList::build(BroadPhase::SweptObb(ObbTest::Axes), &volumes);
     let everything = PairList::build(BroadPhase::AllPairs, &volumes);
     let moving = |slot: usize| volumes[slot].unwrap().moving;
     let (mut meetings, mut possible) = (0, 0);
@@ -418,7 +418,7 @@ fn an_unbounded_volume_pairs_with_everything_but_not_two_that_rest() {
         moving: true,
     });
     let volumes = [fixed, free(true), None, free(false), nan];
-    let pairs = PairList::build(BroadPhase::default(), &volumes);
+    let pairs = PairList::build(BroadPhase::SweptObb(ObbTest::Axes), &volumes);
     assert_eq!(pairs.dynamic(), [(1, 4)]);
     assert_eq!(pairs.fixed(), [(1, 0), (1, 3), (4, 0), (4, 3)]);
 }

@@ -4,20 +4,18 @@ use super::{obb_overlap_by_axes, obb_overlap_by_rays};
 use crate::geometry::Obb;
 
 /// How candidate pairs are found.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum BroadPhase {
+    /// Hierarchies of boxes around each body's motion in the frame: see
+    /// [`Bvh`](super::Bvh). For any number of bodies.
+    #[default]
+    Bvh,
     /// Oriented boxes around whole paths, each tested against every other once.
     SweptObb(ObbTest),
     /// No broad phase: all pairs with a moving body in them. For comparison.
     AllPairs,
-}
-
-impl Default for BroadPhase {
-    fn default() -> Self {
-        Self::SweptObb(ObbTest::default())
-    }
 }
 
 /// How two oriented boxes are tested for overlap.

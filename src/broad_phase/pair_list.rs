@@ -27,7 +27,7 @@ pub struct Volume {
 ///
 /// ```
 /// use feeler::Obb;
-/// use feeler::broad_phase::{BroadPhase, PairList, Volume};
+/// use feeler::broad_phase::{BroadPhase, ObbTest, PairList, Volume};
 /// use glam::DVec3;
 ///
 /// let cube = |x, moving| {
@@ -36,7 +36,7 @@ pub struct Volume {
 ///     Some(Volume { obb: Some(obb), moving })
 /// };
 /// let mut volumes = vec![cube(0.0, false), cube(1.0, true), cube(2.5, true), cube(9.0, true)];
-/// let mut pairs = PairList::new(BroadPhase::default());
+/// let mut pairs = PairList::new(BroadPhase::SweptObb(ObbTest::Axes));
 /// pairs.update(&[0, 1, 2, 3], &volumes);
 /// assert_eq!(pairs.dynamic(), [(1, 2)]);
 /// assert_eq!(pairs.fixed(), [(1, 0)]);
@@ -122,7 +122,7 @@ impl PairList {
             if stale[slot] {
                 self.slots[slot] = match self.broad_phase {
                     BroadPhase::AllPairs => Slot::unbounded(volume.as_ref()),
-                    BroadPhase::SweptObb(_) => Slot::of(volume.as_ref()),
+                    BroadPhase::Bvh | BroadPhase::SweptObb(_) => Slot::of(volume.as_ref()),
                 };
             }
         }

@@ -3,6 +3,7 @@
 use crate::error::{BodyError, ValueError};
 use crate::geometry::{Pose, Shape};
 use crate::motion::{Motion, Turning};
+use crate::world::Groups;
 use glam::{DQuat, DVec3};
 
 /// A shape that stands or moves in a world.
@@ -29,6 +30,7 @@ pub struct Body {
     pub(crate) shape: Shape,
     pub(crate) orientation: DQuat,
     pub(crate) motion: Motion,
+    pub(crate) groups: Groups,
 }
 
 impl Body {
@@ -47,6 +49,7 @@ impl Body {
             shape: shape.into(),
             orientation: DQuat::IDENTITY,
             motion,
+            groups: Groups::ALL,
         }
     }
 
@@ -59,6 +62,18 @@ impl Body {
             orientation,
             ..self
         }
+    }
+
+    /// The body as a member of `groups`; it meets only bodies of those it names.
+    #[must_use]
+    pub fn in_groups(self, groups: Groups) -> Self {
+        Self { groups, ..self }
+    }
+
+    /// The groups that the body belongs to and meets.
+    #[must_use]
+    pub fn groups(&self) -> Groups {
+        self.groups
     }
 
     /// The body's shape.

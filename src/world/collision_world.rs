@@ -1,13 +1,16 @@
 //! The world as its users see it.
 
-use crate::broad_phase::{FramePairs, PairList, Volume};
+use crate::broad_phase::{BroadPhase, Bvh, FramePairs, PairList, Volume};
 use crate::error::{BodyError, ConfigError};
 use crate::geometry::{Pose, Shape};
 use crate::motion::{FrameMotion, Motion};
 use crate::tolerance::touch_tolerance;
-use crate::world::envelope::Envelope;
+use crate::world::finding::{Findings, PairKey};
+use crate::world::gate::Passed;
 use crate::world::slots::{Resident, Slots};
 use crate::world::solver::Solver;
+use crate::world::stirred::Stirred;
+use crate::world::tracks::{self, Course, Span, Track};
 use crate::world::{Body, BodyId, Contact, StepStats, WorldConfig};
 use glam::DVec3;
 
@@ -46,17 +49,23 @@ pub struct CollisionWorld {
     pub(super) volumes: Vec<Option<Volume>>,
     /// Slots whose pairs are to be listed anew.
     pub(super) changed: Vec<u32>,
+    /// The bodies' boxes: for pairs, if [`BroadPhase::Bvh`] is set, and for queries.
+    pub(super) bvh: Bvh<Track>,
+    /// Slots with bodies on paths, and perhaps others.
+    pub(super) on_paths: Vec<u32>,
+    /// Until then, by the world's clock, no body flies out of the domain of coordinates.
+    pub(super) safe_until: f64,
+    /// Bodies inserted or given a motion since the last step.
+    pub(super) stirred: Stirred,
     pub(super) contacts: Vec<Contact>,
-    /// Pairs that were reported as touching and have not parted since, by slot, sorted.
-    pub(super) touching: Vec<(u32, u32)>,
-    /// Pairs with a contact in the last step, by slot, the lower first, sorted.
-    pub(super) met: Vec<(u32, u32)>,
-    /// Those of `touching` that still touched as the frame at hand began.
-    pub(super) resting: Vec<(u32, u32)>,
-    /// Each slot's body as the early-outs see it, in the frame at hand.
-    pub(super) envelopes: Vec<Envelope>,
+    /// Pairs that were reported as touching and have not parted since, sorted.
+    pub(super) touching: Vec<PairKey>,
+    /// Pairs with a contact in the last step, sorted.
+    pub(super) met: Vec<PairKey>,
+    /// What the narrow phase found in the frame at hand.
+    pub(super) findings: Findings,
     /// Pairs that passed the early-outs of the frame at hand.
-    pub(super) survivors: Vec<(u32, u32)>,
+    pub(super) passed: Passed,
     pub(super) stats: StepStats,
 }
 
@@ -86,12 +95,15 @@ impl CollisionWorld {
             frame_pairs: FramePairs::default(),
             volumes: Vec::new(),
             changed: Vec::new(),
+            bvh: Bvh::default(),
+            on_paths: Vec::new(),
+            safe_until: f64::INFINITY,
+            stirred: Stirred::default(),
             contacts: Vec::new(),
             touching: Vec::new(),
             met: Vec::new(),
-            resting: Vec::new(),
-            envelopes: Vec::new(),
-            survivors: Vec::new(),
+            findings: Findings::default(),
+            passed: Passed::default(),
             stats: StepStats::default(),
         }
     }
@@ -109,7 +121,9 @@ impl CollisionWorld {
             .ok_or(BodyError::TooManyBodies { max: Slots::MAX })?;
         self.slots
             .insert(id, Resident::new(body, self.time, &self.solver));
-        self.changed.push(id.slot);
+        self.stirred.place(id.slot);
+        self.track(id.slot, true);
+        self.volume_changed(id.slot);
         Ok(id)
     }
 
@@ -120,8 +134,8 @@ impl CollisionWorld {
     /// If there is no such body (any more).
     pub fn remove(&mut self, id: BodyId) -> Result<Body, BodyError> {
         let resident = self.slots.remove(id).ok_or(BodyError::UnknownBody { id })?;
-        self.changed.push(id.slot);
-        self.forget_touches(id.slot);
+        self.bvh.remove(id.slot);
+        self.volume_changed(id.slot);
         Ok(resident.body)
     }
 
@@ -139,7 +153,8 @@ impl CollisionWorld {
             .get_mut(id)
             .ok_or(BodyError::UnknownBody { id })?;
         // In free flight a body's whole path is unknown before and after.
-        let keeps_pairs = resident.body.motion.is_free() && motion.is_free();
+        let keeps_volume = resident.body.motion.is_free() && motion.is_free();
+        let keeps_kind = resident.body.motion.is_fixed() == motion.is_fixed();
         let from = resident.body.pose_after(time - resident.since);
         resident.body.orientation = from.orientation;
         resident.body.motion = motion;
@@ -149,14 +164,51 @@ impl CollisionWorld {
         let turn = (to.orientation - from.orientation).length();
         let turn = turn.min((to.orientation + from.orientation).length());
         let shift = from.position.distance(to.position) + 2.0 * turn * resident.reach;
-        resident.placed |= shift > rounding;
+        let placed = shift > rounding;
         resident.since = time;
         (resident.centre_offset, resident.reach) = resident.body.hub();
-        if !keeps_pairs {
-            self.changed.push(id.slot);
+        resident.half = tracks::half_extents(&resident.body, resident.centre_offset);
+        if placed {
+            self.stirred.place(id.slot);
+        } else {
+            self.stirred.divert(id.slot);
         }
-        self.forget_touches(id.slot);
+        self.track(id.slot, placed || !keeps_kind);
+        if placed || !keeps_volume {
+            self.volume_changed(id.slot);
+        }
         Ok(())
+    }
+
+    /// Writes the track of a body that has a new motion; `anew` if the hierarchies
+    /// do not have the body, or have it where it is not.
+    fn track(&mut self, slot: u32, anew: bool) {
+        /// So many bodies outside the trees cost a query little.
+        const WAITING: usize = 64;
+        let Some(resident) = self.slots.at(slot) else {
+            return;
+        };
+        let track = Track::new(resident);
+        match track.course {
+            Course::Path => self.on_paths.push(slot),
+            Course::Free => self.safe_until = self.safe_until.min(track.safe_until()),
+            Course::Fixed => {}
+        }
+        match self.bvh.get_mut(slot) {
+            Some(place) if !anew => *place = track,
+            _ => self.bvh.insert(slot, track.course != Course::Fixed, track),
+        }
+        if self.bvh.waiting() >= WAITING {
+            let span = Span::at(self.time);
+            self.bvh.settle(|track| track.swept(span));
+        }
+    }
+
+    /// Has the pairs of a body listed anew, if such lists are kept.
+    fn volume_changed(&mut self, slot: u32) {
+        if self.config.broad_phase != BroadPhase::Bvh {
+            self.changed.push(slot);
+        }
     }
 
     /// Lets a body fly on freely from where it is, with another velocity (in
@@ -261,14 +313,27 @@ impl CollisionWorld {
             .filter(move |contact| contact.a == id || contact.b == id)
     }
 
+    /// Bytes of memory in use, spare room included, but for what paths and
+    /// polytopes, which may be shared, hold themselves.
+    #[must_use]
+    pub fn memory(&self) -> usize {
+        fn of<T>(list: &Vec<T>) -> usize {
+            list.capacity() * size_of::<T>()
+        }
+        size_of::<Self>()
+            + self.slots.memory()
+            + self.bvh.memory()
+            + self.stirred.memory()
+            + self.findings.memory()
+            + (of(&self.on_paths) + of(&self.contacts))
+            + (of(&self.touching) + of(&self.met) + of(&self.passed.pairs))
+            + (of(&self.volumes) + of(&self.changed))
+    }
+
     /// What the last step did, and how long it took.
     #[must_use]
     pub fn stats(&self) -> &StepStats {
         &self.stats
-    }
-
-    fn forget_touches(&mut self, slot: u32) {
-        self.touching.retain(|&(a, b)| a != slot && b != slot);
     }
 }
 
@@ -279,7 +344,7 @@ impl Resident {
             since,
             centre_offset,
             reach,
-            placed: true,
+            half: tracks::half_extents(&body, centre_offset),
             points: solver.surface_points(&body.shape),
             frame: FrameMotion::new(&body.motion, 0.0, 1.0),
             body,

@@ -7,7 +7,7 @@ use crate::math::data::{Numbers, Vector};
 use crate::math::domain;
 use crate::motion::Motion;
 use crate::tolerance::{MAX_LENGTH, MIN_LENGTH};
-use crate::world::{Body, Method, WorldConfig};
+use crate::world::{Body, Groups, Method, WorldConfig};
 use glam::{DQuat, DVec3};
 use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
 use serde::de::{self, MapAccess, SeqAccess, Visitor};
@@ -21,13 +21,17 @@ pub(super) struct BodyData {
     #[serde(default, skip_serializing_if = "Orientation::is_identity")]
     orientation: Orientation,
     motion: Motion,
+    #[serde(default, skip_serializing_if = "Groups::are_all")]
+    groups: Groups,
 }
 
 impl TryFrom<BodyData> for Body {
     type Error = BodyError;
 
     fn try_from(data: BodyData) -> Result<Self, BodyError> {
-        let body = Self::moving(data.shape, data.motion).oriented(data.orientation.0);
+        let body = Self::moving(data.shape, data.motion)
+            .oriented(data.orientation.0)
+            .in_groups(data.groups);
         body.clone().checked()?;
         // As it was written: unlike in a world, the orientation keeps its drift.
         Ok(body)
@@ -40,6 +44,7 @@ impl From<Body> for BodyData {
             shape: body.shape,
             orientation: Orientation(body.orientation),
             motion: body.motion,
+            groups: body.groups,
         }
     }
 }

@@ -14,6 +14,10 @@ use crate::world::solver::{Solver, Stretching};
 use crate::world::{Body, ContactKind, Method, WorldConfig};
 use glam::{DQuat, DVec3};
 
+/// Sine of the angle to the surface below which a motion slides along it:
+/// of a ball that glides in touch, the root of what rounding leaves.
+pub(crate) const SLIDE: f64 = 1e-7;
+
 /// A body as the narrow phase sees it.
 #[derive(Clone, Copy)]
 pub(crate) struct Mover<'a> {
@@ -27,12 +31,13 @@ pub(crate) struct Mover<'a> {
 }
 
 impl<'a> Mover<'a> {
-    pub(crate) fn new(resident: &'a Resident) -> Self {
+    /// The body with its motion in the frame at hand.
+    pub(crate) fn new(resident: &'a Resident, frame: &'a FrameMotion) -> Self {
         Self {
             shape: resident.body.shape(),
             orientation: resident.body.orientation(),
             motion: resident.body.motion(),
-            frame: &resident.frame,
+            frame,
             centre_offset: resident.centre_offset,
             reach: resident.reach,
             points: &resident.points,
@@ -258,9 +263,6 @@ impl Pair<'_> {
 
     /// The touch along the chords of one stretch.
     fn cast(&mut self, from: f64, to: f64, [motion_a, motion_b]: [DVec3; 2]) -> Option<Finding> {
-        /// Sine of the angle to the surface below which a motion slides along it:
-        /// of a ball that glides in touch, the root of what rounding leaves.
-        const SLIDE: f64 = 1e-7;
         let (pose_a, pose_b) = (self.a.pose_at(from), self.b.pose_at(from));
         let (a, b) = (self.a, self.b);
         // From the first bounding centre to the second.
@@ -382,6 +384,7 @@ pub fn first_contact(
     };
     let (a, b) = (resident(a)?, resident(b)?);
     let mut effort = PairEffort::default();
-    let finding = examine(&mut solver, &Mover::new(&a), &Mover::new(&b), &mut effort);
+    let (a, b) = (Mover::new(&a, &a.frame), Mover::new(&b, &b.frame));
+    let finding = examine(&mut solver, &a, &b, &mut effort);
     Ok(finding.map(|finding| finding.contact))
 }

@@ -15,26 +15,22 @@ pub(crate) struct Resident {
     pub(crate) centre_offset: DVec3,
     /// Radius of this sphere.
     pub(crate) reach: f64,
-    /// Whether it was put where it is since the last step, and did not get there by its motion.
-    pub(crate) placed: bool,
+    /// Half the edges of the box around it, from its bounding centre, along the world's axes.
+    pub(crate) half: DVec3,
     /// Starting points of rays that do not depend on the motion, in its own frame.
     pub(crate) points: Vec<DVec3>,
-    /// What it does in the frame at hand.
+    /// What it does in the frame at hand, if it is on a path.
     pub(crate) frame: FrameMotion,
 }
 
 /// Bodies by slot, with generations that tell a slot's tenants apart.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Slots {
-    slots: Vec<Slot>,
+    residents: Vec<Option<Resident>>,
+    /// Apart, so that ids are made without a look at the bodies.
+    generations: Vec<u32>,
     vacant: Vec<u32>,
     occupied: usize,
-}
-
-#[derive(Debug, Clone, Default)]
-struct Slot {
-    generation: u32,
-    resident: Option<Resident>,
 }
 
 impl Slots {
@@ -47,90 +43,83 @@ impl Slots {
 
     /// Number of slots, vacant ones included.
     pub(crate) fn capacity(&self) -> usize {
-        self.slots.len()
+        self.residents.len()
     }
 
     /// The id that the next insertion will give; none if all are taken.
     pub(crate) fn next_id(&self) -> Option<BodyId> {
         let slot = match self.vacant.last() {
             Some(&slot) => slot,
-            None if self.slots.len() < Self::MAX => self.slots.len() as u32,
+            None if self.residents.len() < Self::MAX => self.residents.len() as u32,
             None => return None,
         };
-        Some(BodyId {
-            slot,
-            generation: self.generation(slot),
-        })
+        Some(self.id(slot))
     }
 
     pub(crate) fn insert(&mut self, id: BodyId, resident: Resident) {
         if self.vacant.last() == Some(&id.slot) {
             self.vacant.pop();
         } else {
-            self.slots.push(Slot::default());
+            self.residents.push(None);
+            self.generations.push(0);
         }
-        if let Some(slot) = self.slots.get_mut(id.slot as usize) {
-            debug_assert!(slot.resident.is_none(), "the slot is taken");
-            slot.resident = Some(resident);
+        if let Some(place) = self.residents.get_mut(id.slot as usize) {
+            debug_assert!(place.is_none(), "the slot is taken");
+            *place = Some(resident);
             self.occupied += 1;
         }
     }
 
     pub(crate) fn remove(&mut self, id: BodyId) -> Option<Resident> {
         self.get(id)?;
-        let slot = self.slots.get_mut(id.slot as usize)?;
-        let resident = slot.resident.take()?;
+        let resident = self.residents.get_mut(id.slot as usize)?.take()?;
         self.occupied -= 1;
         // A slot whose generations are used up stays vacant for good.
-        if let Some(next) = slot.generation.checked_add(1) {
-            slot.generation = next;
+        let generation = self.generations.get_mut(id.slot as usize)?;
+        if let Some(next) = generation.checked_add(1) {
+            *generation = next;
             self.vacant.push(id.slot);
         }
         Some(resident)
     }
 
     pub(crate) fn get(&self, id: BodyId) -> Option<&Resident> {
-        let slot = self.slots.get(id.slot as usize)?;
-        slot.resident
-            .as_ref()
-            .filter(|_| slot.generation == id.generation)
+        self.at(id.slot).filter(|_| self.id(id.slot) == id)
     }
 
     pub(crate) fn get_mut(&mut self, id: BodyId) -> Option<&mut Resident> {
-        let slot = self.slots.get_mut(id.slot as usize)?;
-        let generation = slot.generation;
-        slot.resident
-            .as_mut()
-            .filter(|_| generation == id.generation)
+        if self.id(id.slot) != id {
+            return None;
+        }
+        self.residents.get_mut(id.slot as usize)?.as_mut()
     }
 
     /// The tenant of a slot.
     pub(crate) fn at(&self, slot: u32) -> Option<&Resident> {
-        self.slots.get(slot as usize)?.resident.as_ref()
+        self.residents.get(slot as usize)?.as_ref()
+    }
+
+    pub(crate) fn at_mut(&mut self, slot: u32) -> Option<&mut Resident> {
+        self.residents.get_mut(slot as usize)?.as_mut()
     }
 
     pub(crate) fn id(&self, slot: u32) -> BodyId {
+        let generation = self.generations.get(slot as usize);
         BodyId {
             slot,
-            generation: self.generation(slot),
+            generation: generation.copied().unwrap_or(0),
         }
-    }
-
-    fn generation(&self, slot: u32) -> u32 {
-        self.slots
-            .get(slot as usize)
-            .map_or(0, |slot| slot.generation)
     }
 
     pub(crate) fn iter(&self) -> impl Iterator<Item = (u32, &Resident)> {
         (0..)
-            .zip(&self.slots)
-            .filter_map(|(index, slot)| Some((index, slot.resident.as_ref()?)))
+            .zip(&self.residents)
+            .filter_map(|(index, resident)| Some((index, resident.as_ref()?)))
     }
 
-    pub(crate) fn iter_mut(&mut self) -> impl Iterator<Item = (u32, &mut Resident)> {
-        (0..)
-            .zip(&mut self.slots)
-            .filter_map(|(index, slot)| Some((index, slot.resident.as_mut()?)))
+    /// Bytes in use.
+    pub(crate) fn memory(&self) -> usize {
+        self.residents.capacity() * size_of::<Option<Resident>>()
+            + (self.generations.capacity() + self.vacant.capacity()) * size_of::<u32>()
     }
 }

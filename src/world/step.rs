@@ -4,16 +4,17 @@
 //! come first, because they are all that can still fail; what follows changes
 //! the world.
 
-use crate::broad_phase::BroadPhase;
+use crate::broad_phase::{BroadPhase, Bvh, FramePairs, PairList, Volume};
 use crate::error::StepError;
 use crate::math::domain;
 use crate::motion::FrameMotion;
 use crate::tolerance::{MAX_COORDINATE, MAX_TIME_STEP, MIN_TIME_STEP};
-use crate::world::envelope::Envelope;
-use crate::world::pair::{self, Mover, PairEffort};
-use crate::world::slots::Resident;
+use crate::world::finding::{self, Frame};
+use crate::world::gate::{Gate, Keep, Phase};
+use crate::world::slots::Slots;
 use crate::world::stats::Laps;
-use crate::world::{CollisionWorld, Contact, ContactKind, StepStats, volume};
+use crate::world::tracks::{Course, Span, Track};
+use crate::world::{BodyId, CollisionWorld, Contact, StepStats, volume};
 
 /// How far [`CollisionWorld::step_to_contact`] came.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -47,8 +48,38 @@ impl CollisionWorld {
     /// # Ok::<(), StepError>(())
     /// ```
     pub fn step(&mut self, dt: f64) -> Result<&[Contact], StepError> {
-        self.detect(dt)?;
-        self.advance(dt);
+        self.detect(dt, None)?;
+        self.advance(dt, 1.0);
+        Ok(&self.contacts)
+    }
+
+    /// As [`step`](Self::step), for those pairs only that `keep` answers true for.
+    ///
+    /// It is asked about pairs that have passed the broad phase, the bodies' [`Groups`](crate::Groups)
+    /// and the early-outs, in no particular order, perhaps from several threads: the
+    /// answer must depend on nothing but the pair.
+    ///
+    /// # Errors
+    /// As [`step`](Self::step).
+    ///
+    /// ```
+    /// use feeler::{Body, CollisionWorld, Motion, Sphere};
+    ///
+    /// let mut world = CollisionWorld::default();
+    /// let ball = Body::moving(Sphere::new(1.0)?, Motion::free([3.0, 0.0, 0.0], [-2.0, 0.0, 0.0])?);
+    /// let ball = world.insert(ball)?;
+    /// let friend = world.insert(Body::fixed(Sphere::new(1.0)?, [0.0, 0.0, 0.0]))?;
+    /// let strangers = |a, b| (a, b) != (ball, friend);
+    /// assert!(world.step_where(1.0, strangers)?.is_empty());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn step_where(
+        &mut self,
+        dt: f64,
+        keep: impl Fn(BodyId, BodyId) -> bool + Sync,
+    ) -> Result<&[Contact], StepError> {
+        self.detect(dt, Some(&keep))?;
+        self.advance(dt, 1.0);
         Ok(&self.contacts)
     }
 
@@ -79,14 +110,13 @@ impl CollisionWorld {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn step_to_contact(&mut self, dt: f64) -> Result<Advance<'_>, StepError> {
-        self.detect(dt)?;
+        self.detect(dt, None)?;
         let first = self.contacts.iter().find(|contact| contact.is_touch());
         let elapsed = first.map_or(dt, |first| first.fraction * dt);
-        if let Some(&Contact { fraction, .. }) = first {
-            self.contacts.retain(|contact| contact.fraction <= fraction);
-            self.stats.contacts = self.contacts.len();
-        }
-        self.advance(elapsed);
+        let until = first.map_or(1.0, |first| first.fraction);
+        self.contacts.retain(|contact| contact.fraction <= until);
+        self.stats.contacts = self.contacts.len();
+        self.advance(elapsed, until);
         let time_left = dt - elapsed;
         Ok(Advance {
             contacts: &self.contacts,
@@ -100,30 +130,25 @@ impl CollisionWorld {
     }
 
     /// Finds the contacts of the next `dt` seconds; bodies stay where they are.
-    fn detect(&mut self, dt: f64) -> Result<(), StepError> {
+    fn detect(&mut self, dt: f64, keep: Keep<'_>) -> Result<(), StepError> {
         let mut laps = Laps::start();
         domain::within("dt", dt, MIN_TIME_STEP, MAX_TIME_STEP)?;
         self.check_coordinates(dt)?;
+        let span = Span {
+            time: self.time,
+            dt,
+        };
         let mut stats = StepStats {
             bodies: self.slots.len(),
             ..StepStats::default()
         };
 
-        self.move_bodies(dt);
+        self.move_bodies(span);
         stats.times.motions = laps.lap();
-        self.list_pairs();
-        stats.pairs =
-            self.pairs.dynamic().len() + self.pairs.fixed().len() + self.frame_pairs.pairs().len();
-        stats.times.broad_phase = laps.lap();
-        self.reject_early(&mut stats);
-        stats.times.early_outs = laps.lap();
-        self.examine_pairs(dt, &mut stats);
+        self.find_pairs((span, keep), &mut stats, &mut laps);
+        self.examine_pairs(span, &mut stats);
         stats.times.narrow_phase = laps.lap();
-        self.contacts.sort_by(|a, b| {
-            a.time
-                .total_cmp(&b.time)
-                .then_with(|| (a.a, a.b).cmp(&(b.a, b.b)))
-        });
+        self.findings.sort_into(&mut self.contacts, &self.met);
         stats.contacts = self.contacts.len();
         stats.times.advance = laps.lap();
         self.stats = stats;
@@ -131,146 +156,152 @@ impl CollisionWorld {
     }
 
     /// Whether all bodies stay within the domain of coordinates.
-    fn check_coordinates(&self, dt: f64) -> Result<(), StepError> {
+    fn check_coordinates(&mut self, dt: f64) -> Result<(), StepError> {
+        if self.time + dt <= self.safe_until {
+            return Ok(());
+        }
         // Paths do not leave it: their points were checked.
-        let flying = self
-            .slots
-            .iter()
-            .filter(|(_, resident)| resident.body.motion().is_free());
-        for (slot, resident) in flying {
-            let end = resident
-                .body
-                .motion()
-                .position_after(self.time + dt - resident.since);
+        let mut safe_until = f64::INFINITY;
+        for (slot, resident) in self.slots.iter() {
+            let motion = resident.body.motion();
+            if !motion.is_free() {
+                continue;
+            }
+            let end = motion.position_after(self.time + dt - resident.since);
             domain::vector("position", end, MAX_COORDINATE).map_err(|source| {
                 StepError::LeftWorld {
                     id: self.slots.id(slot),
                     source,
                 }
             })?;
+            if let Some(track) = self.bvh.get(slot) {
+                safe_until = safe_until.min(track.safe_until());
+            }
         }
+        self.safe_until = safe_until;
         Ok(())
     }
 
-    /// What every body does in the frame.
-    fn move_bodies(&mut self, dt: f64) {
-        self.envelopes.clear();
-        self.envelopes
-            .resize(self.slots.capacity(), Envelope::default());
-        for (slot, resident) in self.slots.iter_mut() {
-            let elapsed = self.time - resident.since;
-            // By the clock, which moves on by `dt` to rounding only: the next
-            // frame shall begin where this one ends.
-            let duration = (self.time + dt - resident.since) - elapsed;
-            resident.frame = FrameMotion::new(resident.body.motion(), elapsed, duration);
-            if let Some(envelope) = self.envelopes.get_mut(slot as usize) {
-                *envelope = Envelope::of(resident);
-            }
+    /// What bodies on paths do in the frame; the others are on their tracks.
+    fn move_bodies(&mut self, span: Span) {
+        let Self {
+            slots,
+            bvh,
+            on_paths,
+            ..
+        } = self;
+        if !on_paths.is_sorted_by(|a, b| a < b) {
+            on_paths.sort_unstable();
+            on_paths.dedup();
         }
+        on_paths.retain(|&slot| {
+            let (Some(resident), Some(track)) = (slots.at_mut(slot), bvh.get_mut(slot)) else {
+                return false;
+            };
+            if track.course != Course::Path {
+                return false;
+            }
+            let (elapsed, duration) = span.of_motion(resident.since);
+            resident.frame = FrameMotion::new(resident.body.motion(), elapsed, duration);
+            *track = Track::in_frame(resident, span);
+            true
+        });
     }
 
-    /// The broad phase: which pairs can meet at all.
-    fn list_pairs(&mut self) {
-        let broad_phase = self.config.broad_phase;
-        if !self.changed.is_empty() {
-            self.volumes.resize(self.slots.capacity(), None);
-            for &slot in &self.changed {
-                if let Some(volume) = self.volumes.get_mut(slot as usize) {
-                    let resident = self.slots.at(slot);
+    /// The broad phase: which pairs can meet at all; and the early-outs: which of
+    /// them cannot meet in this frame.
+    ///
+    /// They take turns, so that pairs are tested while they are in the cache.
+    fn find_pairs(
+        &mut self,
+        (span, keep): (Span, Keep<'_>),
+        stats: &mut StepStats,
+        laps: &mut Laps,
+    ) {
+        self.bvh.update(|track| track.swept(span));
+        let gate = Gate {
+            slots: &self.slots,
+            keep,
+            span,
+        };
+        self.passed.clear();
+        if self.config.broad_phase == BroadPhase::Bvh {
+            gate.pass_all(&mut self.bvh, &mut self.passed, |phase| match phase {
+                Phase::Broad => stats.times.broad_phase += laps.lap(),
+                Phase::EarlyOuts => stats.times.early_outs += laps.lap(),
+            });
+        } else {
+            Self::list_pairs(
+                self.config.broad_phase,
+                (&mut self.pairs, &mut self.frame_pairs),
+                (&mut self.volumes, &mut self.changed),
+                (&self.slots, &self.bvh, span),
+            );
+            stats.times.broad_phase += laps.lap();
+            let listed = self.pairs.dynamic().iter().chain(self.pairs.fixed());
+            for &(first, second) in listed.chain(self.frame_pairs.pairs()) {
+                let leaf = |slot| self.bvh.at(self.bvh.leaf(slot)?);
+                if let (Some(a), Some(b)) = (leaf(first), leaf(second)) {
+                    gate.pass(&a, &b, &mut self.passed);
+                }
+            }
+            stats.times.early_outs += laps.lap();
+        }
+        stats.pairs = self.passed.seen;
+        stats.rejected = self.passed.rejected;
+        stats.examined = self.passed.pairs.len();
+    }
+
+    /// Brings the lists of pairs by volume up to date.
+    fn list_pairs(
+        broad_phase: BroadPhase,
+        (pairs, frame_pairs): (&mut PairList, &mut FramePairs),
+        (volumes, changed): (&mut Vec<Option<Volume>>, &mut Vec<u32>),
+        (slots, bvh, span): (&Slots, &Bvh<Track>, Span),
+    ) {
+        if !changed.is_empty() {
+            volumes.resize(slots.capacity(), None);
+            for &slot in &*changed {
+                if let Some(volume) = volumes.get_mut(slot as usize) {
+                    let resident = slots.at(slot);
                     *volume = resident.and_then(|body| volume::of(&body.body, broad_phase));
                 }
             }
-            self.pairs.update(&self.changed, &self.volumes);
-            self.changed.clear();
+            pairs.update(changed, volumes);
+            changed.clear();
         }
-        let is_free = |(_, body): (u32, &Resident)| body.body.motion().is_free();
-        let anyone_free = broad_phase != BroadPhase::AllPairs && self.slots.iter().any(is_free);
-        let boxes = anyone_free.then(|| self.slots.iter()).into_iter().flatten();
-        self.frame_pairs
-            .update(boxes.map(|(slot, body)| volume::in_frame(slot, body)));
-    }
-
-    /// The early-outs: which of them cannot meet in this frame.
-    fn reject_early(&mut self, stats: &mut StepStats) {
-        self.survivors.clear();
-        let listed = self.pairs.dynamic().iter().chain(self.pairs.fixed());
-        for &(first, second) in listed.chain(self.frame_pairs.pairs()) {
-            let envelopes = &self.envelopes;
-            let (Some(a), Some(b)) = (
-                envelopes.get(first as usize),
-                envelopes.get(second as usize),
-            ) else {
-                debug_assert!(false, "a pair of a body that is gone");
-                continue;
-            };
-            match a.reject(b) {
-                Some(rejection) => stats.rejected.count(rejection),
-                None => self.survivors.push((first, second)),
-            }
-        }
-        stats.examined = self.survivors.len();
+        let anyone_free = broad_phase != BroadPhase::AllPairs
+            && bvh.iter().any(|(_, track)| track.course == Course::Free);
+        let present = bvh.iter().filter(|_| anyone_free);
+        frame_pairs.update(present.map(|(slot, track)| volume::in_frame(slot, track, span)));
     }
 
     /// The narrow phase: whether, when, where and how they meet.
-    fn examine_pairs(&mut self, dt: f64, stats: &mut StepStats) {
-        self.contacts.clear();
-        self.resting.clear();
-        let mut effort = PairEffort::default();
-        for &(first, second) in &self.survivors {
-            let (Some(a), Some(b)) = (self.slots.at(first), self.slots.at(second)) else {
-                continue;
-            };
-            let placed = a.placed || b.placed;
-            let (a, b) = (Mover::new(a), Mover::new(b));
-            let Some(finding) = pair::examine(&mut self.solver, &a, &b, &mut effort) else {
-                continue;
-            };
-            if finding.resting && self.touching.binary_search(&(first, second)).is_ok() {
-                // Reported when they met.
-                self.resting.push((first, second));
-                continue;
-            }
-            let mut found = finding.contact;
-            // Apart a frame ago, and moved into each other since: that they met
-            // was overlooked by rounding, or by too few rays, and is told now.
-            let ordered = (first.min(second), first.max(second));
-            if !placed && self.met.binary_search(&ordered).is_err() {
-                found.kind = ContactKind::Touch;
-            }
-            self.contacts.push(Contact {
-                a: self.slots.id(first),
-                b: self.slots.id(second),
-                time: self.time + found.fraction * dt,
-                fraction: found.fraction,
-                point: found.point,
-                normal: found.normal,
-                feature_a: found.features[0],
-                feature_b: found.features[1],
-                kind: found.kind,
-            });
-        }
+    fn examine_pairs(&mut self, span: Span, stats: &mut StepStats) {
+        self.findings.clear();
+        let frame = Frame {
+            config: &self.config,
+            slots: &self.slots,
+            bvh: &self.bvh,
+            stirred: &self.stirred,
+            touching: &self.touching,
+            span,
+        };
+        frame.examine_all(&self.passed.pairs, &mut self.solver, &mut self.findings);
+        let effort = self.findings.effort;
         (stats.stretches, stats.rays) = (effort.stretches, effort.rays);
     }
 
     /// Lets time pass, and remembers which pairs touch from now on.
-    fn advance(&mut self, elapsed: f64) {
+    fn advance(&mut self, elapsed: f64, until: f64) {
         self.time += elapsed;
-        for (_, resident) in self.slots.iter_mut() {
-            resident.placed = false;
-        }
-        let contacts = self.contacts.iter().map(|c| (c.a.slot, c.b.slot));
-        self.met.clear();
-        self.met.extend(
-            contacts
-                .chain(self.resting.iter().copied())
-                .map(|(a, b)| (a.min(b), a.max(b))),
-        );
-        self.met.sort_unstable();
+        self.stirred.clear();
+        self.findings.met_until(until, &mut self.met);
         self.touching.clear();
-        self.touching.append(&mut self.resting);
+        self.touching.append(&mut self.findings.resting);
         let touches = self.contacts.iter().filter(|contact| contact.is_touch());
         self.touching
-            .extend(touches.map(|contact| (contact.a.slot, contact.b.slot)));
+            .extend(touches.map(|contact| finding::key(contact.a.slot, contact.b.slot)));
         self.touching.sort_unstable();
     }
 }

@@ -2,16 +2,16 @@
 
 use crate::broad_phase::{BroadPhase, Flight, FrameBox, Volume};
 use crate::geometry::Obb;
-use crate::sweep::{along_line, along_spline, around_static, swept_aabb};
+use crate::sweep::{along_line, along_spline, around_static};
 use crate::world::Body;
-use crate::world::slots::Resident;
+use crate::world::tracks::{Course, Span, Track};
 
 /// The volume of a body over its whole motion; none if it is not to be listed
 /// by volume: in free flight nothing bounds it.
 pub(super) fn of(body: &Body, broad_phase: BroadPhase) -> Option<Volume> {
     let obb = match broad_phase {
         BroadPhase::AllPairs => None,
-        BroadPhase::SweptObb(_) => Some(swept(body)?),
+        BroadPhase::Bvh | BroadPhase::SweptObb(_) => Some(swept(body)?),
     };
     let moving = !body.motion().is_fixed();
     Some(Volume { obb, moving })
@@ -39,20 +39,14 @@ fn swept(body: &Body) -> Option<Obb> {
 }
 
 /// The box around all places where a body will be in the frame at hand.
-pub(super) fn in_frame(slot: u32, resident: &Resident) -> FrameBox {
-    let frame = &resident.frame;
-    let from = frame.start + resident.centre_offset;
-    let to = from + frame.displacement;
-    // Both ends were rounded, and the narrow phase rounds differently.
-    let rounding = 8.0 * f64::EPSILON * (from.abs().max_element() + to.abs().max_element());
-    let motion = resident.body.motion();
+pub(super) fn in_frame(slot: u32, track: &Track, span: Span) -> FrameBox {
     FrameBox {
         slot,
-        aabb: swept_aabb(from, to, resident.reach + frame.deviation + rounding),
-        flight: match (motion.is_free(), motion.is_fixed()) {
-            (true, _) => Flight::Free,
-            (false, true) => Flight::Fixed,
-            (false, false) => Flight::Path,
+        aabb: track.swept(span),
+        flight: match track.course {
+            Course::Free => Flight::Free,
+            Course::Path => Flight::Path,
+            Course::Fixed => Flight::Fixed,
         },
     }
 }

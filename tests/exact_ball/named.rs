@@ -400,3 +400,16 @@ fn a_line_beside_a_triangles_edge() {
         }
     }
 }
+
+/// Tangential to rounding, from touch: entry was the quotient of two roundings, 0.99 motions later.
+#[test]
+fn a_ball_that_slides_off_a_ball_in_touch_touches_at_once() {
+    let from = DVec3::new(-1.175711519071355, 1.1478518101917987, 1.1402362236669812);
+    let motion = DVec3::new(
+        -0.4319438374676795,
+        0.22546032684394607,
+        -0.6723487411506748,
+    );
+    let found = ball_ball(1.0, 1.0, -from, motion).unwrap();
+    assert!(found.enter.fraction.abs() < 1e-15, "{found:?}");
+}

@@ -50,7 +50,7 @@ fn touch_tells(a: &Body, b: &Body) -> bool {
     let found = first_contact(a, b, 1.0, &Method::default()).unwrap();
     if let Some(found) = found {
         assert_eq!(found.kind, ContactKind::Touch);
-        assert!(found.fraction < 1e-11, "{found:?}");
+        assert!(found.fraction < 1e-11, "{found:?} {a:?} {b:?}");
     }
     found.is_some()
 }

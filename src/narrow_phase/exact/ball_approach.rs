@@ -52,7 +52,8 @@ impl Approach {
     pub(super) fn enter(&self, from: DVec3, square: f64, radius: f64) -> f64 {
         let half = self.root(square);
         if self.along > 0.0 {
-            power(from, radius) / (self.along + half)
+            // Of a graze from touch both terms are rounding; it is no later than the middle.
+            (power(from, radius) / (self.along + half)).min(self.middle)
         } else {
             (self.along - half) / square
         }

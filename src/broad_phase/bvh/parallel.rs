@@ -1,0 +1,71 @@
+//! Pairs found by several threads.
+
+use super::Bvh;
+use super::pairs::{Job, Portion};
+use rayon::prelude::*;
+
+/// So many jobs are handed out at least, if there are so many: enough that no thread is idle
+/// for long when the others have not finished yet.
+const JOBS: usize = 256;
+
+impl<T: Copy + Send + Sync> Bvh<T> {
+    /// As [`pairs`](Self::pairs), with the threads of the rayon pool it is called in.
+    ///
+    /// `visit` is given some pairs and what is to be found out; the answers are
+    /// returned in an order that does not depend on the number of threads.
+    pub fn pairs_in_parallel<S: Default + Send>(
+        &mut self,
+        visit: impl Fn(&Portion<'_, T>, &mut S) + Sync,
+    ) -> Vec<S> {
+        let mut answers = Vec::new();
+        let (mut jobs, mut opened) = (Vec::new(), Vec::new());
+        for a in 0..self.trees.len() {
+            for b in a..self.trees.len() {
+                let Some(start) = self.start(a, b) else {
+                    continue;
+                };
+                // Opened level by level; what is found on the way comes first.
+                jobs.clear();
+                jobs.push(start);
+                let mut found = Vec::new();
+                let mut tests = 0;
+                while !jobs.is_empty() && jobs.len() < JOBS {
+                    opened.clear();
+                    for job in &jobs {
+                        tests += job.step(&self.trees, &mut opened, |a, b| found.push((a, b)));
+                    }
+                    std::mem::swap(&mut jobs, &mut opened);
+                }
+                let told = |pairs: &[(u32, u32)]| {
+                    let mut answer = S::default();
+                    if let Some(portion) = Portion::new(&self.trees, [a, b], pairs) {
+                        visit(&portion, &mut answer);
+                    }
+                    answer
+                };
+                answers.push(told(&found));
+                let chunk = jobs.len().div_ceil(JOBS).max(1);
+                let parts: Vec<(S, u64)> = jobs
+                    .par_chunks(chunk)
+                    .map(|jobs| {
+                        let mut found = Vec::new();
+                        let mut pair = |a, b| found.push((a, b));
+                        let run = |job: &Job| job.run(&self.trees, &mut pair);
+                        let tests = jobs.iter().map(run).sum();
+                        (told(&found), tests)
+                    })
+                    .collect();
+                for (answer, more) in parts {
+                    answers.push(answer);
+                    tests += more;
+                }
+                if a == b
+                    && let Some(tree) = self.trees.get_mut(a)
+                {
+                    tree.note_work(tests);
+                }
+            }
+        }
+        answers
+    }
+}

@@ -1,0 +1,177 @@
+//! One hierarchy of boxes.
+
+use super::block::{Block, WIDTH};
+use super::bounds::Bounds;
+use super::order::{self, Item};
+
+/// In a leaf whose body has gone.
+pub(super) const NOBODY: u32 = u32::MAX;
+
+/// Whether the bodies of a tree move.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Mobility {
+    Fixed,
+    Moving,
+}
+
+/// Boxes over boxes, eight to a node, without a pointer: node `i` of a level
+/// covers nodes `8i..8i + 8` of the level below, of the lowest, leaves.
+#[derive(Debug, Clone)]
+pub(super) struct Tree<T> {
+    pub(super) mobility: Mobility,
+    /// Whose box each leaf holds.
+    pub(super) leaves: Vec<u32>,
+    /// What is known of each leaf's body: in this order it is read in every frame.
+    pub(super) data: Vec<T>,
+    /// The lowest first; the last has one node.
+    pub(super) levels: Vec<Vec<Block>>,
+    /// Leaves whose bodies have gone.
+    pub(super) vacant: usize,
+    /// How much surface there was when the leaves were last arranged.
+    pub(super) arranged_surface: f32,
+    /// How much there is now.
+    pub(super) surface: f32,
+    /// What the shape's ageing has cost since, in tests of a block.
+    pub(super) debt: f64,
+    /// What pairing cost when the leaves were last arranged.
+    pub(super) work: f64,
+}
+
+impl<T: Copy> Tree<T> {
+    pub(super) fn new(mobility: Mobility) -> Self {
+        Self {
+            mobility,
+            leaves: Vec::new(),
+            data: Vec::new(),
+            levels: Vec::new(),
+            vacant: 0,
+            arranged_surface: 0.0,
+            surface: 0.0,
+            debt: 0.0,
+            work: 0.0,
+        }
+    }
+
+    /// Leaves with bodies.
+    pub(super) fn live(&self) -> usize {
+        self.leaves.len() - self.vacant
+    }
+
+    /// The box around everything.
+    pub(super) fn bounds(&self) -> Bounds {
+        match self.levels.last().and_then(|level| level.first()) {
+            Some(root) => root.union(),
+            None => Bounds::EMPTY,
+        }
+    }
+
+    /// Makes leaves of `bodies`, arranged, and nodes whose boxes are to be fitted.
+    ///
+    /// Items name bodies by index.
+    pub(super) fn arrange(&mut self, items: &mut [Item], bodies: &[(u32, T)]) {
+        order::arrange(items);
+        self.leaves.clear();
+        self.data.clear();
+        let arranged = || {
+            items
+                .iter()
+                .filter_map(|&(_, index)| bodies.get(index as usize))
+        };
+        self.leaves.extend(arranged().map(|&(slot, _)| slot));
+        self.data.extend(arranged().map(|&(_, data)| data));
+        self.vacant = 0;
+        let mut nodes = items.len();
+        let mut level = 0;
+        loop {
+            nodes = nodes.div_ceil(WIDTH);
+            if self.levels.len() == level {
+                self.levels.push(Vec::new());
+            }
+            self.levels[level].clear();
+            self.levels[level].resize(nodes, Block::EMPTY);
+            level += 1;
+            if nodes <= 1 {
+                break;
+            }
+        }
+        self.levels.truncate(level);
+        (self.arranged_surface, self.debt, self.work) = (0.0, 0.0, 0.0);
+    }
+
+    /// Fits all boxes to those of the bodies.
+    pub(super) fn fit(&mut self, bounds: impl Fn(&T) -> Bounds) {
+        let Some((lowest, upper)) = self.levels.split_first_mut() else {
+            return;
+        };
+        let bodies = self.leaves.chunks(WIDTH).zip(self.data.chunks(WIDTH));
+        for (block, (leaves, data)) in lowest.iter_mut().zip(bodies) {
+            for (lane, (&slot, data)) in leaves.iter().zip(data).enumerate() {
+                if slot != NOBODY {
+                    block.set(lane, &bounds(data));
+                }
+            }
+        }
+        let mut surface = 0.0;
+        let mut below = &mut *lowest;
+        for level in upper {
+            for (block, children) in level.iter_mut().zip(below.chunks(WIDTH)) {
+                for (lane, child) in children.iter().enumerate() {
+                    let bounds = child.union();
+                    surface += bounds.surface();
+                    block.set(lane, &bounds);
+                }
+            }
+            below = level;
+        }
+        self.surface = surface;
+        if self.arranged_surface <= 0.0 {
+            self.arranged_surface = surface;
+        }
+    }
+
+    /// Empties a leaf. The boxes above shrink when they are fitted next.
+    pub(super) fn vacate(&mut self, leaf: u32) {
+        if let Some(slot) = self.leaves.get_mut(leaf as usize)
+            && *slot != NOBODY
+        {
+            *slot = NOBODY;
+            self.vacant += 1;
+            let (block, lane) = (leaf as usize / WIDTH, leaf as usize % WIDTH);
+            if let Some(block) = self.levels.first_mut().and_then(|low| low.get_mut(block)) {
+                block.set(lane, &Bounds::EMPTY);
+            }
+        }
+    }
+
+    /// The box of a leaf.
+    pub(super) fn leaf(&self, leaf: usize) -> Bounds {
+        self.levels
+            .first()
+            .and_then(|lowest| lowest.get(leaf / WIDTH))
+            .map_or(Bounds::EMPTY, |block| block.lane(leaf % WIDTH))
+    }
+
+    /// Adds up what pairing costs more than when the leaves were arranged.
+    pub(super) fn age(&mut self) {
+        let growth = f64::from(self.surface) / f64::from(self.arranged_surface) - 1.0;
+        // False for a NaN, of a tree without a surface.
+        if growth > 0.0 {
+            self.debt += growth * self.work;
+        }
+    }
+
+    /// Takes note of what pairing cost, if the leaves have just been arranged.
+    pub(super) fn note_work(&mut self, tests: u64) {
+        if self.work <= 0.0 {
+            self.work = tests as f64;
+        }
+    }
+
+    /// Bytes in use.
+    pub(super) fn memory(&self) -> usize {
+        let blocks: usize = self.levels.iter().map(Vec::capacity).sum();
+        blocks * size_of::<Block>()
+            + self.leaves.capacity() * size_of::<u32>()
+            + self.data.capacity() * size_of::<T>()
+    }
+}

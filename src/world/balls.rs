@@ -1,0 +1,70 @@
+//! Two balls in straight flight: most pairs of most worlds.
+
+use crate::early_out;
+use crate::geometry::{Pose, Shape, Sphere};
+use crate::narrow_phase::exact::{Touching, ball_ball};
+use crate::narrow_phase::overlap::overlap;
+use crate::tolerance::touch_tolerance;
+use crate::world::ContactKind;
+use crate::world::pair::{Finding, PairContact, SLIDE};
+use crate::world::tracks::{Span, Track};
+
+/// What [`examine`](super::pair::examine) finds of two balls in straight flight,
+/// to the bit, from their tracks alone.
+///
+/// A body's record is several cache lines long, its track little more than one.
+pub(super) fn examine(a: &Track, b: &Track, span: Span) -> Option<Finding> {
+    let ((start_a, motion_a), (start_b, motion_b)) = (a.flight(span), b.flight(span));
+    let reach = a.reach + b.reach;
+    let between = start_b - start_a;
+    if between.length_squared() < reach * reach
+        && let Some(contact) = overlapping(a, b, span)
+    {
+        return Some(contact.into());
+    }
+    let motion = motion_a - motion_b;
+    if early_out::reject(between, motion, reach).is_some() {
+        return None;
+    }
+    let enter = ball_ball(a.reach, b.reach, between, motion)?.enter;
+    let coordinate = start_a.abs().max(start_b.abs()).max_element();
+    let touch = touch_tolerance(reach, coordinate);
+    let depth = enter.fraction * motion.dot(enter.normal);
+    let length = motion.length();
+    let late = (enter.fraction - 1.0) * length > touch;
+    if late || enter.fraction < 0.0 && depth > touch {
+        return None;
+    }
+    let fraction = enter.fraction.clamp(0.0, 1.0);
+    let found = Touching { fraction, ..enter };
+    let closing = -motion.dot(found.normal);
+    let at_once = fraction * length <= SLIDE * reach;
+    let touching = fraction * length <= touch || at_once && fraction * closing <= touch;
+    if touching && closing <= SLIDE * length {
+        return None;
+    }
+    Some(Finding {
+        contact: PairContact {
+            fraction,
+            point: start_b + (found.point + fraction * motion_b),
+            normal: found.normal,
+            features: found.features,
+            kind: ContactKind::Touch,
+        },
+        resting: touching,
+    })
+}
+
+/// The pair as overlapping as the frame begins, if it does.
+fn overlapping(a: &Track, b: &Track, span: Span) -> Option<PairContact> {
+    let ball = |track: &Track| Sphere::new(track.reach).map(Shape::from).ok();
+    let pose = |track: &Track| Pose::at(track.flight(span).0);
+    let found = overlap(&ball(a)?, &pose(a), &ball(b)?, &pose(b))?;
+    Some(PairContact {
+        fraction: 0.0,
+        point: found.point,
+        normal: found.direction,
+        features: [found.feature_a, found.feature_b],
+        kind: ContactKind::Overlap { depth: found.depth },
+    })
+}

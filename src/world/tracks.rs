@@ -1,0 +1,209 @@
+//! Where bodies fly, as the broad phase and the early-outs see them.
+
+use crate::early_out::{self, Rejection};
+use crate::geometry::{Aabb, Pose, Ray, Shape};
+use crate::motion::FrameMotion;
+use crate::tolerance::{MAX_COORDINATE, TOUCH};
+use crate::world::slots::Resident;
+use crate::world::{Body, Groups};
+use glam::DVec3;
+
+/// The frame at hand, in seconds of the world's clock.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Span {
+    pub(super) time: f64,
+    pub(super) dt: f64,
+}
+
+impl Span {
+    /// Seconds of a motion that began at `since` that are over, and that the
+    /// frame lasts.
+    ///
+    /// By the clock, which moves on by `dt` to rounding only: the next frame shall
+    /// begin where this one ends.
+    #[inline]
+    pub(super) fn of_motion(&self, since: f64) -> (f64, f64) {
+        let elapsed = self.time - since;
+        (elapsed, (self.time + self.dt - since) - elapsed)
+    }
+}
+
+impl Span {
+    /// No time at all.
+    pub(super) fn at(time: f64) -> Self {
+        Self { time, dt: 0.0 }
+    }
+}
+
+/// A sphere, and a box within it, that fly straight and hold a body.
+///
+/// Small, and kept apart from the rest of the body: what looks at all bodies or at
+/// all pairs of a frame reads nothing else. A track is written when a body is given
+/// its motion, and holds until it gets another; only that of a body on a path is
+/// written anew in every frame.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Track {
+    /// Of the sphere, at `since`.
+    pub(super) centre: DVec3,
+    pub(super) velocity: DVec3,
+    pub(super) since: f64,
+    /// Radius of the sphere: for a ball, its own to the bit.
+    pub(super) reach: f64,
+    /// Half the edges of the box.
+    half: [f32; 3],
+    pub(super) course: Course,
+    /// Whether the body is a ball in straight flight, or at rest: there is no more to it.
+    pub(super) is_ball: bool,
+    pub(super) groups: Groups,
+}
+
+/// What is known of a body's motion without looking at it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Course {
+    Fixed,
+    Free,
+    /// Along a path.
+    Path,
+}
+
+/// Half extents around the centre of the body's [`hub`](Body::hub), however it turns.
+pub(super) fn half_extents(body: &Body, centre_offset: DVec3) -> DVec3 {
+    let (_, reach) = body.hub();
+    let reach = DVec3::splat(reach);
+    if matches!(body.shape, Shape::Sphere(_)) || body.motion.turns() {
+        return reach;
+    }
+    let aabb = body.shape.aabb(&Pose::new(DVec3::ZERO, body.orientation));
+    let half = (aabb.max - centre_offset).max(centre_offset - aabb.min);
+    // Turned by a rounded quaternion; the sphere holds the body as well.
+    let rounding = 32.0 * f64::EPSILON * (reach + centre_offset.abs());
+    half.max(DVec3::ZERO).min(reach) + rounding
+}
+
+fn rounded_up(half: DVec3) -> [f32; 3] {
+    half.to_array()
+        .map(|half| (half * (1.0 + f64::from(f32::EPSILON))) as f32)
+}
+
+impl Track {
+    /// The track of a body, from when it was given its motion; for one on a path,
+    /// [`in_frame`](Self::in_frame) has to follow.
+    pub(super) fn new(resident: &Resident) -> Self {
+        let motion = resident.body.motion();
+        let position = motion.position_after(0.0);
+        let centre = position + resident.centre_offset;
+        // Once rounded here where the narrow phase does not; nothing for a sphere,
+        // whose centre is its position.
+        let rounding = if resident.centre_offset == DVec3::ZERO {
+            0.0
+        } else {
+            4.0 * f64::EPSILON * (position.abs() + resident.centre_offset.abs()).max_element()
+        };
+        Self {
+            centre,
+            velocity: motion.velocity_after(0.0),
+            since: resident.since,
+            reach: resident.reach + rounding,
+            half: rounded_up(resident.half + rounding),
+            course: match (motion.is_fixed(), motion.is_free()) {
+                (true, _) => Course::Fixed,
+                (_, true) => Course::Free,
+                _ => Course::Path,
+            },
+            groups: resident.body.groups,
+            is_ball: matches!(resident.body.shape, Shape::Sphere(_))
+                && motion.path().is_none()
+                && !motion.turns(),
+        }
+    }
+
+    /// The track in one frame of a body whose motion in it has been worked out.
+    pub(super) fn in_frame(resident: &Resident, span: Span) -> Self {
+        let FrameMotion {
+            start,
+            displacement,
+            deviation,
+            ..
+        } = resident.frame;
+        let (_, duration) = span.of_motion(span.time);
+        let velocity = displacement / duration;
+        // A frame too short for the clock lasts no time, in which nobody flies.
+        let (velocity, lost) = if velocity.is_finite() {
+            (velocity, 4.0 * f64::EPSILON)
+        } else {
+            (DVec3::ZERO, 1.0)
+        };
+        let offset = resident.centre_offset;
+        let rounding = 4.0 * f64::EPSILON * (start.abs() + offset.abs()).max_element();
+        let growth = deviation + lost * displacement.length() + rounding;
+        Self {
+            centre: start + offset,
+            velocity,
+            since: span.time,
+            reach: resident.reach + growth,
+            half: rounded_up(resident.half + growth),
+            course: Course::Path,
+            is_ball: false,
+            groups: resident.body.groups,
+        }
+    }
+
+    /// Until when, by the world's clock, the body surely keeps within the domain of
+    /// coordinates; before any time if it is half way out.
+    pub(super) fn safe_until(&self) -> f64 {
+        let room = 0.5 * MAX_COORDINATE - self.centre.abs().max_element() - self.reach;
+        let speed = self.velocity.abs().max_element();
+        if room < 0.0 {
+            f64::NEG_INFINITY
+        } else if speed > 0.0 {
+            self.since + room / speed
+        } else {
+            f64::INFINITY
+        }
+    }
+
+    /// Where the sphere's centre is as the frame begins, and by how much it moves.
+    #[inline]
+    pub(super) fn flight(&self, span: Span) -> (DVec3, DVec3) {
+        let (elapsed, duration) = span.of_motion(self.since);
+        (
+            self.centre + elapsed * self.velocity,
+            duration * self.velocity,
+        )
+    }
+
+    /// The box around all places where the body is during the frame.
+    #[inline]
+    pub(super) fn swept(&self, span: Span) -> Aabb {
+        let (from, displacement) = self.flight(span);
+        let to = from + displacement;
+        let (low, high) = (from.min(to), from.max(to));
+        // What comes as near as this in the frame counts as touching.
+        let touch = 2.0 * TOUCH * (self.reach + low.abs().max(high.abs()).max_element());
+        let half = DVec3::from_array(self.half.map(f64::from)) + touch;
+        Aabb {
+            min: low - half,
+            max: high + half,
+        }
+    }
+
+    /// Whether an early-out test shows that two bodies cannot touch in the frame.
+    #[inline]
+    pub(super) fn reject(&self, other: &Self, span: Span) -> Option<Rejection> {
+        let ((a, motion_a), (b, motion_b)) = (self.flight(span), other.flight(span));
+        // Centres are rounded where the narrow phase's differences are not.
+        let rounding = 8.0 * f64::EPSILON * a.abs().max(b.abs()).max_element();
+        let reach = self.reach + other.reach + rounding;
+        early_out::reject(b - a, motion_a - motion_b, reach)
+    }
+
+    /// Whether a ray surely passes the sphere by where it is at `time`, up to fraction `until`.
+    #[inline]
+    pub(super) fn is_passed_by(&self, ray: &Ray, until: f64, time: f64) -> bool {
+        let (centre, _) = self.flight(Span::at(time));
+        let size = centre.abs().max(ray.origin.abs()).max_element();
+        // Grazes are forgiving: see the module `raycast`.
+        let reach = self.reach + 64.0 * f64::EPSILON * (size + self.reach);
+        early_out::reject(centre - ray.origin, until * ray.direction, reach).is_some()
+    }
+}

@@ -1,0 +1,196 @@
+//! Worlds of many bodies: no pair is missed, nothing is allocated, and balls are
+//! examined as any other pair.
+
+#![allow(
+    clippy::unwrap_used,
+    reason = "planted input that is refused shall fail the test"
+)]
+
+#[path = "crowds/worlds.rs"]
+mod worlds;
+
+use feeler::{
+    Body, BroadPhase, CollisionWorld, Contact, Groups, Motion, Sphere, WorldConfig, first_contact,
+};
+use glam::DVec3;
+use worlds::{Crowd, Random};
+
+fn world(broad_phase: BroadPhase) -> CollisionWorld {
+    CollisionWorld::new(WorldConfig {
+        broad_phase,
+        ..WorldConfig::default()
+    })
+    .unwrap()
+}
+
+/// Hierarchies against all pairs, frame by frame, with bodies that come, go, are
+/// moved and turned away: the same contacts to the bit, in the same order.
+///
+/// `WORLDS` sets how many worlds of each kind.
+#[test]
+fn hierarchies_miss_no_contact_that_all_pairs_have() {
+    let rounds: u64 = std::env::var("WORLDS").map_or(6, |worlds| worlds.parse().unwrap());
+    for crowd in Crowd::ALL {
+        let (mut told, mut looked) = (0, [0, 0]);
+        for round in 0..rounds {
+            let mut random = Random::seeded(100 * round + crowd as u64);
+            let mut worlds = [BroadPhase::Bvh, BroadPhase::AllPairs].map(world);
+            let count = 20 + random.below(150);
+            let mut ids = Vec::new();
+            for body in crowd.bodies(count, &mut random) {
+                let [one, other] = worlds.each_mut().map(|w| w.insert(body.clone()).unwrap());
+                assert_eq!(one, other);
+                ids.push(one);
+            }
+            for frame in 0..6 {
+                let found = worlds
+                    .each_mut()
+                    .map(|world| -> Vec<Contact> { world.step(1.0 / 60.0).unwrap().to_vec() });
+                assert_eq!(
+                    found[0], found[1],
+                    "{crowd:?}, round {round}, frame {frame}"
+                );
+                told += found[0].len();
+                for (looked, world) in looked.iter_mut().zip(&worlds) {
+                    *looked += world.stats().pairs;
+                }
+                for new in crowd.bodies(count, &mut random).into_iter().take(8) {
+                    let index = random.below(ids.len());
+                    let id = ids[index];
+                    match random.below(4) {
+                        0 => {
+                            for world in &mut worlds {
+                                world.remove(id).unwrap();
+                            }
+                            let again = worlds.each_mut().map(|w| w.insert(new.clone()).unwrap());
+                            assert_eq!(again[0], again[1]);
+                            ids[index] = again[0];
+                        }
+                        1 => {
+                            for world in &mut worlds {
+                                world.set_motion(id, new.motion().clone()).unwrap();
+                            }
+                        }
+                        _ => {
+                            let velocity = 5.0 * random.vector();
+                            for world in &mut worlds {
+                                world.set_velocity(id, velocity).unwrap();
+                            }
+                        }
+                    }
+                }
+            }
+        }
+        println!("{crowd:?}: {told} contacts, {looked:?} pairs looked at");
+        assert!(told as u64 > rounds, "lopsided, {crowd:?}: {told} contacts");
+        assert!(looked[0] < looked[1], "{crowd:?}: {looked:?}");
+    }
+}
+
+/// Two balls in a world take a short cut; without a world they do not.
+#[test]
+fn balls_are_examined_as_any_other_pair() {
+    let mut random = Random::seeded(7);
+    let (mut touches, mut overlaps) = (0, 0);
+    for case in 0..20_000 {
+        let scale = 10_f64.powf(random.within(-6.0, 6.0));
+        let far = scale * 10_f64.powf(random.within(0.0, 4.0)) * random.vector();
+        let radii = [0, 1].map(|_| scale * random.within(0.1, 1.0));
+        let direction = random.vector().normalize();
+        let apart = match case % 4 {
+            0 => radii[0] + radii[1],
+            1 => (radii[0] + radii[1]) * (1.0 + random.within(-1e-12, 1e-12)),
+            _ => scale * random.within(0.0, 4.0),
+        };
+        let mut ball = |radius: f64, place: DVec3, fixed: bool| {
+            let sphere = Sphere::new(radius).unwrap();
+            if fixed {
+                Body::fixed(sphere, place)
+            } else {
+                let velocity = 3.0 * scale * random.vector();
+                Body::moving(sphere, Motion::free(place, velocity).unwrap())
+            }
+        };
+        let a = ball(radii[0], far, false);
+        let b = ball(radii[1], far + apart * direction, case % 3 == 0);
+        let mut world = CollisionWorld::default();
+        for body in [&a, &b] {
+            world.insert(body.clone()).unwrap();
+        }
+        let alone = first_contact(&a, &b, 0.5, &world.config().method).unwrap();
+        let together = world.step(0.5).unwrap().first().copied();
+        assert_eq!(together.is_some(), alone.is_some(), "{a:?} {b:?}");
+        if let (Some(one), Some(other)) = (together, alone) {
+            assert_eq!(
+                (one.fraction, one.point, one.normal, one.kind),
+                (other.fraction, other.point, other.normal, other.kind),
+                "{a:?} {b:?}"
+            );
+            if one.is_touch() {
+                touches += 1;
+            } else {
+                overlaps += 1;
+            }
+        }
+    }
+    println!("{touches} touches, {overlaps} overlaps");
+    assert!(touches > 1_000 && overlaps > 1_000, "{touches} {overlaps}");
+}
+
+#[test]
+fn a_settled_frame_allocates_nothing() {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(1);
+    pool.build().unwrap().install(|| {
+        let mut world = world(BroadPhase::Bvh);
+        let mut random = Random::seeded(3);
+        for (number, body) in (0..).zip(Crowd::Balls.bodies(2_000, &mut random)) {
+            // Some stand; the others fly where they have flown for a while.
+            let place = body.motion().position_after(0.0);
+            let body = match number % 4 {
+                0 => Body::fixed(body.shape().clone(), place),
+                _ => body,
+            };
+            world.insert(body).unwrap();
+        }
+        let mut contacts = 0;
+        for _ in 0..40 {
+            world.step(1.0 / 600.0).unwrap();
+        }
+        let counted = allocation_counter::measure(|| {
+            for _ in 0..5 {
+                contacts += world.step(1.0 / 600.0).unwrap().len();
+            }
+        });
+        assert_eq!(counted.count_total, 0, "{counted:?}");
+        assert!(contacts > 1_000, "{contacts}");
+    });
+}
+
+#[test]
+fn bodies_meet_only_those_of_their_groups() {
+    let mut random = Random::seeded(5);
+    let groups = |random: &mut Random| Groups::new(random.below(8) as u32, random.below(8) as u32);
+    let bodies: Vec<_> = Crowd::Balls.bodies(300, &mut random);
+    let bodies: Vec<_> = bodies
+        .into_iter()
+        .map(|body| body.in_groups(groups(&mut random)))
+        .collect();
+    let mut grouped = world(BroadPhase::Bvh);
+    let mut all = world(BroadPhase::Bvh);
+    for body in &bodies {
+        grouped.insert(body.clone()).unwrap();
+        all.insert(body.clone().in_groups(Groups::ALL)).unwrap();
+    }
+    let ids: Vec<_> = all.bodies().collect();
+    let group = |id| bodies[ids.binary_search(&id).unwrap()].groups();
+    let meets = |a, b| group(a).meets(group(b));
+    let expected = all.step_where(1.0, meets).unwrap().to_vec();
+    assert_eq!(grouped.step(1.0).unwrap(), expected);
+    assert!(expected.len() > 50, "{}", expected.len());
+    let mut everyone = world(BroadPhase::Bvh);
+    for body in bodies {
+        everyone.insert(body.in_groups(Groups::ALL)).unwrap();
+    }
+    let met = everyone.step(1.0).unwrap().len();
+    assert!(met > expected.len() + 50, "{met} and {}", expected.len());
+}
