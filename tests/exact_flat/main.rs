@@ -10,4 +10,5 @@
 mod bodies;
 mod cases;
 mod oracle;
+mod patch;
 mod random;

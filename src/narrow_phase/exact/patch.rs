@@ -8,6 +8,9 @@ pub(super) use witness::around;
 /// Distance, as a share of the pair's size, up to which a point counts as in a feature.
 const SLACK: f64 = 1e-14;
 
+/// Corners nearer to each other than this share of the pair's size are one.
+const DOUBLE: f64 = 1e-12;
+
 /// A point in the middle of what two points, segments or polygons share; of the
 /// larger one the nearest to the other where rounding keeps them apart.
 pub(super) fn middle(a: &[DVec2], b: &[DVec2], size: f64) -> DVec2 {
@@ -33,6 +36,42 @@ pub(super) fn middle(a: &[DVec2], b: &[DVec2], size: f64) -> DVec2 {
         }
     }
     best.1
+}
+
+/// The corners of what two points, segments or polygons share, counter-clockwise, each once; at
+/// least one point, where rounding keeps them apart.
+pub(super) fn corners(a: &[DVec2], b: &[DVec2], size: f64) -> Vec<DVec2> {
+    let (subject, clip) = if a.len() <= b.len() { (a, b) } else { (b, a) };
+    let mut shared = match (subject, clip) {
+        ([_, _], [_, _]) => common_ends(subject, clip, size),
+        ([_, _, ..], [_, _, ..]) => witness::clipped(subject, clip),
+        _ => Vec::new(),
+    };
+    let near = |p: &DVec2, q: &DVec2| p.distance(*q) <= DOUBLE * size;
+    shared.dedup_by(|later, first| near(later, first));
+    while let [first, .., last] = shared[..]
+        && near(&first, &last)
+    {
+        shared.pop();
+    }
+    if shared.is_empty() {
+        shared.push(middle(a, b, size));
+    }
+    shared
+}
+
+/// Ends of two segments that lie on the other one: of parallel ones both ends of what they share.
+fn common_ends(a: &[DVec2], b: &[DVec2], size: f64) -> Vec<DVec2> {
+    let mut ends: Vec<DVec2> = Vec::new();
+    for (segment, points) in [(a, b), (b, a)] {
+        for &point in points {
+            let on = nearest(segment, point).distance(point) <= SLACK * size;
+            if on && ends.iter().all(|end| end.distance(point) > DOUBLE * size) {
+                ends.push(point);
+            }
+        }
+    }
+    ends
 }
 
 /// The polygon's point nearest to `point`.

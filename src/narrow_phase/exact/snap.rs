@@ -36,13 +36,13 @@ pub(super) enum Place {
 }
 
 /// The part of a body that lies farthest along a direction, and its corners.
-struct Summit {
+pub(super) struct Summit {
     feature: Feature,
-    corners: Corners,
+    pub(super) corners: Corners,
 }
 
 /// A few corners in place, or many.
-struct Corners {
+pub(super) struct Corners {
     few: [u32; 4],
     count: usize,
     many: Vec<u32>,
@@ -69,7 +69,7 @@ impl Corners {
         }
     }
 
-    fn list(&self) -> &[u32] {
+    pub(super) fn list(&self) -> &[u32] {
         if self.many.is_empty() {
             &self.few[..self.count]
         } else {
@@ -200,7 +200,7 @@ fn within(body: &Body, summit: &Summit, normal: DVec3, point: DVec3, size: f64) 
 }
 
 /// What lies farthest along a direction of the world; `known` are some of its vertices.
-fn summit<const N: usize>(body: &Body, direction: DVec3, known: [u32; N]) -> Summit {
+pub(super) fn summit<const N: usize>(body: &Body, direction: DVec3, known: [u32; N]) -> Summit {
     let local = body.rotation.transpose() * direction;
     let margin = FEATURE * body.radius;
     let start = known.first().copied().unwrap_or_default();

@@ -144,7 +144,7 @@ fn of_segments([from, to]: [DVec2; 2], [other_from, other_to]: [DVec2; 2]) -> DV
 }
 
 /// What of `subject` lies in the polygon `clip`. Source: Sutherland & Hodgman (1974).
-fn clipped(subject: &[DVec2], clip: &[DVec2]) -> Vec<DVec2> {
+pub(in crate::narrow_phase) fn clipped(subject: &[DVec2], clip: &[DVec2]) -> Vec<DVec2> {
     let mut kept = subject.to_vec();
     for (index, &from) in clip.iter().enumerate() {
         let along = clip[(index + 1) % clip.len()] - from;
