@@ -12,5 +12,6 @@ mod doors;
 mod ends;
 mod oracle;
 mod random;
+mod sampled_error;
 mod scale;
 mod support;
