@@ -114,17 +114,16 @@ pub fn closest_points(a: &Shape, pose_a: &Pose, b: &Shape, pose_b: &Pose) -> Opt
 
 impl Separator<'_> {
     fn closest(&mut self, between: DVec3) -> Option<ClosestPoints> {
-        let found = match self.search(between, 0.0) {
-            End::Touching => return None,
-            End::Settled(found) => found,
-            End::Stalled(Some(found)) if self.is_proven(between, &found) => found,
-            End::Stalled(_) => self.enumerated(between)?,
-        };
         let Found {
-            simplex,
             nearest,
             separation,
-        } = found;
+        } = match self.search(between, 0.0) {
+            End::Touching => return None,
+            End::Settled(found) => found,
+            End::Stalled(found) if self.is_proven(between, &found) => found,
+            End::Stalled(_) => self.enumerated(between)?,
+        };
+        let simplex = self.kept(self.offset(between));
         let normal = nearest.normalize_or_zero();
         let (a, b) = simplex.witness(nearest);
         let probes = simplex.probes();
@@ -162,22 +161,23 @@ impl Separator<'_> {
         found.separation.distance - gap <= STALLED * (self.a.size + self.b.size)
     }
 
-    fn enumerated(&self, between: DVec3) -> Option<Found> {
+    /// The nearest of all pairs of features, whose vertices are kept.
+    fn enumerated(&mut self, between: DVec3) -> Option<Found> {
         let offset = self.offset(between);
         let (simplex, nearest) = enumerate::nearest(self, offset)?;
         let height = nearest.square.sqrt();
         let distance = height - self.radii();
         let normal = nearest.point / height;
-        let separation = Separation {
-            normal,
-            gap: self.gap(between, normal),
-            distance,
-        };
+        let gap = self.gap(between, normal);
+        self.keep(&simplex);
         // Of bodies that overlap, the nearest features part nothing.
-        (distance > self.rounding(between) && separation.gap > -distance).then_some(Found {
-            simplex,
+        (distance > self.rounding(between) && gap > -distance).then_some(Found {
             nearest: nearest.point,
-            separation,
+            separation: Separation {
+                normal,
+                gap,
+                distance,
+            },
         })
     }
 }

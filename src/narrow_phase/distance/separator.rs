@@ -8,7 +8,7 @@ use glam::{DQuat, DVec3};
 /// Steps after which a search counts as stalled.
 ///
 /// Hulls of 10 000 vertices take some 15; more come of rounding only.
-const MAX_STEPS: usize = 100;
+const MAX_STEPS: usize = 64;
 
 /// How far apart two bodies are, between two bounds.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -32,19 +32,19 @@ pub struct Separator<'a> {
     count: usize,
 }
 
-/// How a search ended.
+/// How a search ended; the vertices where it did are kept.
 pub(super) enum End {
     /// The cores share a point, or the shapes are nearer than rounding.
     Touching,
     /// The bounds are as close as was asked for.
     Settled(Found),
     /// Rounding let the search get no further.
-    Stalled(Option<Found>),
+    Stalled(Found),
 }
 
 /// Where a search ended.
 pub(super) struct Found {
-    pub(super) simplex: Simplex,
+    /// The nearest point of the cores' difference.
     pub(super) nearest: DVec3,
     pub(super) separation: Separation,
 }
@@ -85,8 +85,7 @@ impl<'a> Separator<'a> {
     pub fn separation(&mut self, between: DVec3, tolerance: f64) -> Option<Separation> {
         match self.search(between, tolerance) {
             End::Touching => None,
-            End::Settled(found) => Some(found.separation),
-            End::Stalled(found) => found.map(|found| found.separation),
+            End::Settled(found) | End::Stalled(found) => Some(found.separation),
         }
     }
 
@@ -103,7 +102,8 @@ impl<'a> Separator<'a> {
 
     /// What rounding may do to a distance, in metres.
     pub(super) fn rounding(&self, between: DVec3) -> f64 {
-        4.0 * f64::EPSILON * (self.a.size + self.b.size + self.offset(between).length())
+        let reach = self.offset(between).abs().element_sum();
+        4.0 * f64::EPSILON * (self.a.size + self.b.size + reach)
     }
 
     #[inline]
@@ -124,16 +124,21 @@ impl<'a> Separator<'a> {
         self.probe(offset, vertices)
     }
 
-    /// The simplex that is kept, or one of the vertices that lie towards each other.
-    fn start(&self, offset: DVec3) -> Simplex {
+    /// The vertices that were nearest.
+    pub(super) fn kept(&self, offset: DVec3) -> Simplex {
         let mut simplex = Simplex::default();
         for &vertices in &self.kept[..self.count] {
             simplex.push(self.probe(offset, vertices));
         }
-        if self.count == 0 {
-            simplex.push(self.probe_along(offset, offset));
-        }
         simplex
+    }
+
+    pub(super) fn keep(&mut self, simplex: &Simplex) {
+        self.count = 0;
+        for (place, probe) in self.kept.iter_mut().zip(simplex.probes()) {
+            *place = probe.vertices;
+            self.count += 1;
+        }
     }
 
     /// Gilbert, Johnson & Keerthi's search from what is kept.
@@ -143,21 +148,27 @@ impl<'a> Separator<'a> {
             return End::Touching;
         }
         let (radii, rounding) = (self.radii(), self.rounding(between));
-        let mut simplex = self.start(offset);
-        let mut state = simplex.reduce().map(|nearest| (nearest, simplex));
-        self.count = 0;
-        let mut best: Option<Found> = None;
-        let (mut gap, mut plane) = (f64::NEG_INFINITY, DVec3::X);
+        let mut simplex = self.kept(offset);
+        if self.count == 0 {
+            simplex.push(self.probe_along(offset, offset));
+        }
+        let mut found = Found {
+            nearest: DVec3::ZERO,
+            separation: Separation {
+                normal: DVec3::X,
+                gap: f64::NEG_INFINITY,
+                distance: f64::INFINITY,
+            },
+        };
         for _ in 0..MAX_STEPS {
-            let Some((Nearest { point, square, .. }, reduced)) = state else {
-                // What was parted by a plane shares no point.
-                return if gap > rounding {
-                    End::Stalled(best)
-                } else {
-                    End::Touching
-                };
+            let best = &mut found.separation;
+            let Some(Nearest { point, square, .. }) = simplex.reduce() else {
+                if best.gap > rounding {
+                    // What a plane parts shares no point.
+                    break;
+                }
+                return End::Touching;
             };
-            simplex = reduced;
             let height = square.sqrt();
             let distance = height - radii;
             // Nothing is said of numbers whose squares overflow, or of NaN.
@@ -166,32 +177,21 @@ impl<'a> Separator<'a> {
             }
             // A touch beside a corner or an edge may lower the distance by less than rounding,
             // and yet the normal needs it.
-            if best
-                .as_ref()
-                .is_some_and(|best| distance > best.separation.distance + rounding)
-            {
+            if distance > best.distance + rounding {
                 break;
             }
+            best.distance = distance;
+            found.nearest = point;
+            self.keep(&simplex);
             let normal = point / height;
             let probe = self.probe_along(offset, normal);
-            let along = normal.dot(probe.point) - radii;
-            if along > gap {
-                (gap, plane) = (along, normal);
+            let gap = normal.dot(probe.point) - radii;
+            if gap > best.gap {
+                (best.gap, best.normal) = (gap, normal);
             }
-            let found = Found {
-                simplex,
-                nearest: point,
-                separation: Separation {
-                    normal: plane,
-                    gap,
-                    distance,
-                },
-            };
-            if distance - along <= rounding.max(tolerance * distance) {
-                self.keep(&simplex);
+            if distance - gap <= rounding.max(tolerance * distance) {
                 return End::Settled(found);
             }
-            best = Some(found);
             if simplex
                 .probes()
                 .iter()
@@ -200,16 +200,7 @@ impl<'a> Separator<'a> {
                 break;
             }
             simplex.push(probe);
-            state = simplex.reduce().map(|nearest| (nearest, simplex));
         }
-        End::Stalled(best)
-    }
-
-    fn keep(&mut self, simplex: &Simplex) {
-        self.count = 0;
-        for (place, probe) in self.kept.iter_mut().zip(simplex.probes()) {
-            *place = probe.vertices;
-            self.count += 1;
-        }
+        End::Stalled(found)
     }
 }

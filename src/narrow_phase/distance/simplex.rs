@@ -87,11 +87,13 @@ impl Simplex {
             3 => self.face(0, 1, 2),
             _ => self.body()?,
         };
-        let probes = self.probes;
-        for (place, corner) in nearest.corners[..nearest.count].iter().enumerate() {
-            self.probes[place] = probes[*corner];
+        if nearest.count < self.count {
+            let probes = nearest.corners.map(|corner| self.probes[corner]);
+            for (place, probe) in self.probes.iter_mut().zip(probes) {
+                *place = probe;
+            }
+            self.count = nearest.count;
         }
-        self.count = nearest.count;
         Some(nearest)
     }
 
