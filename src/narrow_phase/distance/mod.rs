@@ -121,7 +121,10 @@ impl Separator<'_> {
             End::Touching => return None,
             End::Settled(found) => found,
             End::Stalled(found) if self.is_proven(between, &found) => found,
-            End::Stalled(_) => self.enumerated(between)?,
+            End::Stalled(found) => {
+                let apart = found.separation.gap > self.rounding(between);
+                self.enumerated(between, apart)?
+            }
         };
         let simplex = self.kept(self.offset(between));
         let normal = nearest.normalize_or_zero();
@@ -161,8 +164,9 @@ impl Separator<'_> {
         found.separation.distance - gap <= STALLED * (self.a.size + self.b.size)
     }
 
-    /// The nearest of all pairs of features, whose vertices are kept.
-    fn enumerated(&mut self, between: DVec3) -> Option<Found> {
+    /// The nearest of all pairs of features, whose vertices are kept, of bodies known to be
+    /// `apart` or not.
+    fn enumerated(&mut self, between: DVec3, apart: bool) -> Option<Found> {
         let offset = self.offset(between);
         let (simplex, nearest) = enumerate::nearest(self, offset)?;
         let height = nearest.square.sqrt();
@@ -171,7 +175,7 @@ impl Separator<'_> {
         let gap = self.gap(between, normal);
         self.keep(&simplex);
         // Of bodies that overlap, the nearest features part nothing.
-        (distance > self.rounding(between) && gap > -distance).then_some(Found {
+        (distance > self.rounding(between) && (apart || gap > -distance)).then_some(Found {
             nearest: nearest.point,
             separation: Separation {
                 normal,

@@ -114,7 +114,7 @@ impl Simplex {
         let square = along.length_squared();
         let share = -from.dot(along) / square;
         // NaN, of an edge without length, is no share.
-        if !(share > 0.0) {
+        if share.is_nan() || share <= 0.0 {
             return self.corner(i);
         }
         if share >= 1.0 {
@@ -164,8 +164,7 @@ impl Simplex {
         }
         let mut best: Option<Nearest> = None;
         for (weight, [from, to]) in [(of_i, [j, k]), (of_j, [i, k]), (of_k, [i, j])] {
-            // NaN is not positive either.
-            if !(weight > 0.0) {
+            if weight.is_nan() || weight <= 0.0 {
                 let edge = self.edge(from, to);
                 best = Some(best.map_or(edge, |best| best.better(edge)));
             }
@@ -189,10 +188,10 @@ impl Simplex {
                 .max(to_k.length_squared())
                 .max(to_apex.length_squared());
             flat |= height * height <= FLAT * FLAT * normal.length_squared() * longest;
-            *outside = !(origin * height > 0.0);
+            *outside = (origin * height).is_nan() || origin * height <= 0.0;
             within &= origin.abs() < height.abs();
         }
-        if !outside.contains(&true) && within {
+        if !flat && within && !outside.contains(&true) {
             return None;
         }
         // Of a flat tetrahedron rounding tells the sides.
