@@ -16,6 +16,10 @@ const FLAT: f64 = 1e-10;
 /// Squared sine of a triangle's angle below which a better corner is looked for.
 const SHARP: f64 = 1e-3;
 
+/// What rounding does to a height over a triangle times its area, as a share of the lengths that
+/// went in: a dozen half ulp. Lower, and a sliver's plane hides a gap of 1e-10.
+const ROUNDED: f64 = 16.0 * f64::EPSILON;
+
 /// A point of A − B: a vertex of each.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Probe {
@@ -188,7 +192,11 @@ impl Simplex {
                 .max(to_k.length_squared())
                 .max(to_apex.length_squared());
             flat |= height * height <= FLAT * FLAT * normal.length_squared() * longest;
-            *outside = (origin * height).is_nan() || origin * height <= 0.0;
+            // Whether the origin lies within a sliver's plane, rounding of its normal tells.
+            let spread = to_j.length_squared() * to_k.length_squared();
+            let doubt = ROUNDED * ROUNDED * spread * probe[i].point.length_squared();
+            *outside =
+                (origin * height).is_nan() || origin * height <= 0.0 || origin * origin <= doubt;
             within &= origin.abs() < height.abs();
         }
         if !flat && within && !outside.contains(&true) {
