@@ -49,8 +49,8 @@ fn check(case: &Case, separator: &mut Separator, tolerance: f64, label: &str) {
 #[test]
 fn bounds_hold_while_a_pair_flies_and_turns() {
     let mut rng = ChaCha8Rng::seed_from_u64(30);
-    for kind_a in 0..KINDS {
-        for kind_b in 0..KINDS {
+    for (kind_a, name_a) in LABELS.iter().enumerate() {
+        for (kind_b, name_b) in LABELS.iter().enumerate() {
             let mut checked = 0;
             for index in 0..cases(5) {
                 let a = shape(&mut rng, kind_a, 1.0, DVec3::ONE);
@@ -89,7 +89,7 @@ fn bounds_hold_while_a_pair_flies_and_turns() {
                         let _ = kept.separation(DVec3::ZERO, tolerance);
                     }
                     kept.turn(case.pose_a.orientation, case.pose_b.orientation);
-                    let label = format!("{} {} {index}.{step}", LABELS[kind_a], LABELS[kind_b]);
+                    let label = format!("{name_a} {name_b} {index}.{step}");
                     check(&case, &mut kept, tolerance, &label);
                 }
             }
