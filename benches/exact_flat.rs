@@ -4,7 +4,7 @@
 #![allow(missing_docs, reason = "criterion's macros document nothing")]
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use feeler::narrow_phase::exact::flat_crossing;
+use feeler::narrow_phase::exact::flat_touch;
 use feeler::{Cuboid, Polytope, Shape, Triangle};
 use glam::{DQuat, DVec3};
 use rand_chacha::ChaCha8Rng;
@@ -60,7 +60,7 @@ fn crossings(criterion: &mut Criterion) {
             })
             .collect();
         let cast = |&(turn_a, turn_b, from, motion): &(DQuat, DQuat, DVec3, DVec3)| {
-            flat_crossing(black_box(a), turn_a, black_box(b), turn_b, from, motion)
+            flat_touch(black_box(a), turn_a, black_box(b), turn_b, from, motion)
         };
         let share = casts.iter().filter_map(cast).count() * 100 / casts.len();
         let mut next = 0;

@@ -1,75 +1,37 @@
-//! Rays against each shape; each figure is one cast.
-//!
-//! "hits" aim at a point within half the shape's size of its middle, "mixed" at one within
-//! twice its size, of which some two thirds miss.
+//! Rays against each shape; each figure is one cast, the mean over hits and misses.
+
+#![allow(missing_docs, reason = "criterion's macro makes undocumented items")]
+
+#[allow(dead_code, reason = "each bench needs a part of it")]
+mod draw;
 
 use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
-use feeler::{Cuboid, Polytope, Pose, Ray, RayCast, Shape, Sphere, Triangle};
-use glam::DVec3;
-use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::{Rng, SeedableRng};
+use draw::{COUNT, Cast, Draw};
+use feeler::{Ray, RayCast};
 use std::hint::black_box;
 
-fn unit(rng: &mut ChaCha8Rng) -> f64 {
-    (rng.next_u64() >> 11) as f64 / (1_u64 << 53) as f64
-}
-
-fn ball(rng: &mut ChaCha8Rng) -> DVec3 {
-    loop {
-        let point = DVec3::from_array(std::array::from_fn(|_| 2.0 * unit(rng) - 1.0));
-        if point.length_squared() <= 1.0 {
-            return point;
-        }
-    }
-}
-
-fn rays(aim: f64) -> Vec<Ray> {
-    let mut rng = ChaCha8Rng::seed_from_u64(1);
-    (0..1024)
-        .map(|_| {
-            let origin = 4.0 * ball(&mut rng).normalize_or(DVec3::X);
-            Ray::new(origin, aim * ball(&mut rng) - origin)
-        })
-        .collect()
-}
-
-fn shapes() -> Vec<(&'static str, Shape)> {
-    let mut all: Vec<(&'static str, Shape)> = Vec::new();
-    all.extend(Sphere::new(1.0).ok().map(|s| ("sphere", s.into())));
-    all.extend(
-        Cuboid::new([0.6, 0.6, 0.6])
-            .ok()
-            .map(|s| ("cuboid", s.into())),
-    );
-    let triangle = Triangle::new([-1.0, -0.8, 0.0], [1.0, -0.8, 0.1], [0.0, 1.0, 0.2]);
-    all.extend(triangle.ok().map(|s| ("triangle", s.into())));
-    for (name, count) in [("hull12", 12), ("hull100", 100), ("hull1000", 1000)] {
-        let mut rng = ChaCha8Rng::seed_from_u64(2);
-        let points = (0..count).map(|_| ball(&mut rng).normalize_or(DVec3::X));
-        all.extend(Polytope::from_points(points).ok().map(|p| (name, p.into())));
-    }
-    all
-}
-
 fn raycast(criterion: &mut Criterion) {
-    let (hits, mixed) = (rays(0.5), rays(2.0));
     let mut group = criterion.benchmark_group("raycast");
-    for (name, shape) in shapes() {
-        for (mix, rays) in [("hits", &hits), ("mixed", &mixed)] {
-            let mut next = (0..rays.len()).cycle();
-            group.bench_function(BenchmarkId::new(name, mix), |bencher| {
-                bencher.iter(|| {
-                    let ray = next.next().map(|index| &rays[index]);
-                    ray.and_then(|ray| shape.first_hit(black_box(ray)))
-                });
-            });
-        }
-        let pose = Pose::new([0.1, 0.0, 0.0], glam::DQuat::from_rotation_y(0.3));
-        let mut next = (0..mixed.len()).cycle();
-        group.bench_function(BenchmarkId::new(name, "posed"), |bencher| {
+    for name in ["ball", "box", "triangle", "hull12", "hull100", "hull1000"] {
+        let casts: Vec<(Ray, Cast)> = (Draw::new(1).casts(name, false).into_iter())
+            .map(|cast| (Ray::new(cast.position, cast.motion), cast))
+            .collect();
+        let hit = |(ray, cast): &(Ray, Cast)| cast.shape.first_hit_at(&cast.pose, ray);
+        let span = |(ray, cast): &(Ray, Cast)| cast.shape.line_span_at(&cast.pose, ray);
+        let hits = casts.iter().filter(|cast| hit(cast).is_some()).count();
+        let share = format!("{} % hit", 100 * hits / casts.len());
+        group.bench_function(BenchmarkId::new(name, share), |bencher| {
+            let mut next = 0;
             bencher.iter(|| {
-                let ray = next.next().map(|index| &mixed[index]);
-                ray.and_then(|ray| shape.first_hit_at(black_box(&pose), ray))
+                next = (next + 1) & (COUNT - 1);
+                hit(black_box(&casts[next]))
+            });
+        });
+        group.bench_function(BenchmarkId::new(name, "and out again"), |bencher| {
+            let mut next = 0;
+            bencher.iter(|| {
+                next = (next + 1) & (COUNT - 1);
+                span(black_box(&casts[next]))
             });
         });
     }

@@ -8,8 +8,8 @@ use glam::DVec3;
 /// Squares of it stay far below `f64::MAX`, so no kernel needs to watch for overflow.
 pub const MAX_ORIGIN: f64 = 1e100;
 
-/// Directions between these lengths are used as they are.
-const PLAIN_LENGTHS: std::ops::RangeInclusive<f64> = 1e-60..=1e60;
+/// Directions whose squares lie between these are used as they are.
+const PLAIN_SQUARES: std::ops::RangeInclusive<f64> = 1e-120..=1e120;
 
 /// The line through a ray: finite, with a direction whose square neither
 /// overflows nor underflows.
@@ -27,37 +27,10 @@ impl Line {
     #[inline]
     pub(super) fn of(ray: &Ray) -> Option<Self> {
         let Ray { origin, direction } = *ray;
-        let reach = direction.abs();
-        // A NaN fails these comparisons; `max_element` would skip it.
-        if !(reach.x <= f64::MAX && reach.y <= f64::MAX && reach.z <= f64::MAX) {
-            return None;
-        }
-        let far = origin.abs();
-        if !(far.x <= MAX_ORIGIN && far.y <= MAX_ORIGIN && far.z <= MAX_ORIGIN) {
-            return None;
-        }
-        let longest = reach.max_element();
-        if PLAIN_LENGTHS.contains(&longest) {
-            return Some(Self {
-                origin,
-                direction,
-                scale: 1.0,
-            });
-        }
-        Self::rescaled(origin, direction, longest)
-    }
-
-    #[cold]
-    fn rescaled(origin: DVec3, direction: DVec3, longest: f64) -> Option<Self> {
-        if longest <= 0.0 {
-            return None;
-        }
-        // Bits 52 to 62 are the exponent plus 1023; 1000 keeps the scale itself normal.
-        let exponent = ((longest.to_bits() >> 52) as i64 - 1023).clamp(-1000, 1000);
-        let scale = f64::from_bits(((1023 - exponent) as u64) << 52);
+        let scale = scale(ray)?;
         Some(Self {
             origin,
-            direction: direction * scale,
+            direction: scale * direction,
             scale,
         })
     }
@@ -68,9 +41,50 @@ impl Line {
         fraction * self.scale
     }
 
+    /// Whether the line surely stays further than `reach` from a point that its origin is
+    /// `offset` away from.
+    ///
+    /// Compares squares, which are off by a few ulp of the distance's; the margin is
+    /// twice that.
+    #[inline]
+    pub(super) fn passes_by(&self, offset: DVec3, reach: f64) -> bool {
+        let along = offset.dot(self.direction);
+        let distance = offset.length_squared() * (1.0 - 32.0 * f64::EPSILON);
+        (distance - reach * reach) * self.direction.length_squared() > along * along
+    }
+
     /// The largest coordinate of the origin: the share of the distance in rounding.
     #[inline]
     pub(super) fn distance(&self) -> f64 {
         self.origin.abs().max_element()
     }
+}
+
+/// What a ray's direction is to be multiplied by so that its square neither overflows nor
+/// underflows: 1, but for extreme directions, where it is a power of two.
+///
+/// None if a coordinate is not finite, the origin beyond [`MAX_ORIGIN`] or the
+/// direction zero.
+#[inline]
+pub(crate) fn scale(ray: &Ray) -> Option<f64> {
+    // A NaN fails these comparisons.
+    let plain = PLAIN_SQUARES.contains(&ray.direction.length_squared())
+        && ray.origin.length_squared() <= MAX_ORIGIN * MAX_ORIGIN;
+    // Only a number comes back, so that the vectors need not go through memory.
+    if plain { Some(1.0) } else { rescaled(ray) }
+}
+
+#[cold]
+fn rescaled(ray: &Ray) -> Option<f64> {
+    let within = |vector: DVec3, limit: f64| {
+        // A NaN fails this; `max_element` would pass over it.
+        (vector.abs().to_array().into_iter()).all(|coordinate| coordinate <= limit)
+    };
+    let longest = ray.direction.abs().max_element();
+    if !within(ray.origin, MAX_ORIGIN) || !within(ray.direction, f64::MAX) || longest <= 0.0 {
+        return None;
+    }
+    // Bits 52 to 62 are the exponent plus 1023; 1000 keeps the scale itself normal.
+    let exponent = ((longest.to_bits() >> 52) as i64 - 1023).clamp(-1000, 1000);
+    Some(f64::from_bits(((1023 - exponent) as u64) << 52))
 }

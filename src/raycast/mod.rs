@@ -50,7 +50,9 @@ mod walk;
 
 pub use hit::RayHit;
 pub use line::MAX_ORIGIN;
+pub(crate) use line::scale;
 pub use span::{RaySpan, SurfacePoint};
+pub(crate) use sphere::power;
 
 use crate::geometry::{Pose, Ray};
 use glam::DVec3;
@@ -141,6 +143,7 @@ pub trait RayCast {
     }
 }
 
+#[inline]
 fn local(pose: &Pose, ray: &Ray) -> Ray {
     Ray {
         origin: pose.local_point(ray.origin),

@@ -17,9 +17,8 @@ impl RayCast for Polytope {
         if walk::passes_by(self, &line, growth) {
             return None;
         }
-        let (in_gate, out_gate) = walk::gates(self, &line, growth)?;
-        let enter = walk::enter(self, &line, &in_gate, growth)?;
-        let leave = walk::leave(self, &line, &out_gate, growth);
+        let enter = walk::enter(self, &line, growth)?;
+        let leave = walk::leave(self, &line, growth);
         let Some(leave) = leave.filter(|leave| {
             let tied = leave.tied || enter.tied;
             !tied && enter.fraction <= leave.fraction
@@ -34,6 +33,7 @@ impl RayCast for Polytope {
         RaySpan::ordered(point(enter.face), point(leave.face))
     }
 
+    #[inline]
     fn first_hit(&self, ray: &Ray) -> Option<RayHit> {
         let Some(line) = Line::of(ray) else {
             let is_point = ray.direction == DVec3::ZERO;
@@ -41,14 +41,10 @@ impl RayCast for Polytope {
         };
         let size = size(self);
         let growth = GRAZE * (line.distance() + size);
-        if walk::passes_by(self, &line, growth) {
+        if walk::passes_by(self, &line, growth) || walk::is_behind(self, &line, growth) {
             return None;
         }
-        let (in_gate, out_gate) = walk::gates(self, &line, growth)?;
-        if out_gate.fraction < 0.0 {
-            return None;
-        }
-        let enter = walk::enter(self, &line, &in_gate, growth)?;
+        let enter = walk::enter(self, &line, growth)?;
         let plane = plane(self, enter.face);
         let fraction = clip::refined(&line, plane, enter.fraction, f64::INFINITY);
         // The plain case: one face, met from outside, at no grazing angle.
@@ -66,7 +62,7 @@ impl RayCast for Polytope {
 
     fn contains_point(&self, point: DVec3) -> bool {
         let by_planes = || planes(self).all(|plane| plane.normal.dot(point) <= plane.offset);
-        point.is_finite() && self.face_map().holds(self, point).unwrap_or_else(by_planes)
+        point.is_finite() && self.face_map().holds(point).unwrap_or_else(by_planes)
     }
 }
 
@@ -78,10 +74,8 @@ fn planes(polytope: &Polytope) -> impl Iterator<Item = Plane> + Clone {
 
 #[inline]
 fn plane(polytope: &Polytope, face: u32) -> Plane {
-    Plane {
-        normal: polytope.face_normals()[face as usize],
-        offset: polytope.face_offsets()[face as usize],
-    }
+    let (normal, offset) = polytope.face_map().plane(face);
+    Plane { normal, offset }
 }
 
 #[inline]

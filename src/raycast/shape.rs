@@ -23,6 +23,7 @@ impl RayCast for Shape {
         }
     }
 
+    #[inline]
     fn first_hit(&self, ray: &Ray) -> Option<RayHit> {
         match self {
             Self::Sphere(sphere) => sphere.first_hit(ray),

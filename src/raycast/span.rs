@@ -16,6 +16,7 @@ pub struct SurfacePoint {
 }
 
 impl SurfacePoint {
+    #[inline]
     pub(super) fn turned(self, pose: &Pose) -> Self {
         Self {
             normal: pose.direction(self.normal),

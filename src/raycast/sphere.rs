@@ -19,13 +19,17 @@ impl RayCast for Sphere {
             origin, direction, ..
         } = line;
         let radius = self.radius();
+        let graze = GRAZE * (line.distance() + radius);
+        // Most misses end here, before anything is divided.
+        if line.passes_by(origin, radius + 4.0 * graze) {
+            return None;
+        }
         let square = direction.length_squared();
         let middle = -origin.dot(direction) / square;
         let closest = origin + middle * direction;
         let mut discriminant = radius * radius - closest.length_squared();
         if discriminant < 0.0 {
             // `closest` is rounded by some ulp of the distance.
-            let graze = GRAZE * (line.distance() + radius);
             if discriminant < -2.0 * radius * graze {
                 return None;
             }
@@ -61,11 +65,16 @@ impl RayCast for Sphere {
 /// `|point|² − radius²`, to full relative accuracy near the surface and with
 /// the right sign everywhere.
 #[inline]
-fn power(point: DVec3, radius: f64) -> f64 {
+pub(crate) fn power(point: DVec3, radius: f64) -> f64 {
     let power = point.length_squared() - radius * radius;
     if power.abs() > 1e-12 * radius * radius {
         power
     } else {
-        exact::sum_of_squares_minus(point.to_array(), radius)
+        near_surface(point, radius)
     }
+}
+
+#[cold]
+fn near_surface(point: DVec3, radius: f64) -> f64 {
+    exact::sum_of_squares_minus(point.to_array(), radius)
 }

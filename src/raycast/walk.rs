@@ -12,12 +12,6 @@ use super::line::Line;
 use crate::geometry::Polytope;
 use glam::DVec3;
 
-/// Where a line comes into or goes out of the box around a polytope.
-pub(super) struct Gate {
-    pub(super) fraction: f64,
-    side: usize,
-}
-
 /// Where a line crosses the plane of the face it enters or leaves by.
 pub(super) struct Crossing {
     pub(super) fraction: f64,
@@ -27,86 +21,31 @@ pub(super) struct Crossing {
 }
 
 /// Whether `line` passes the polytope's bounding sphere by.
-///
-/// Compares squares, which are off by a few ulp of the distance's; the margin is
-/// twice that.
 #[inline]
 pub(super) fn passes_by(polytope: &Polytope, line: &Line, growth: f64) -> bool {
-    let offset = line.origin - polytope.centre();
-    let radius = polytope.max_dist() + 4.0 * growth;
-    let along = offset.dot(line.direction);
-    let distance = offset.length_squared() * (1.0 - 32.0 * f64::EPSILON);
-    (distance - radius * radius) * line.direction.length_squared() > along * along
+    let reach = polytope.max_dist() + 4.0 * growth;
+    line.passes_by(line.origin - polytope.centre(), reach)
 }
 
-/// The piece of `line` in the polytope's bounding box grown by `growth`.
+/// Whether the ray has left the polytope's bounding sphere behind.
 #[inline]
-pub(super) fn gates(polytope: &Polytope, line: &Line, growth: f64) -> Option<(Gate, Gate)> {
-    let bounds = polytope.face_map().bounds();
-    let mut enter = Gate {
-        fraction: f64::NEG_INFINITY,
-        side: 0,
-    };
-    let mut leave = Gate {
-        fraction: f64::INFINITY,
-        side: 0,
-    };
-    for axis in 0..3 {
-        let (origin, direction) = (line.origin[axis], line.direction[axis]);
-        let low = bounds.min[axis] - growth - origin;
-        let high = bounds.max[axis] + growth - origin;
-        if direction == 0.0 {
-            if low > 0.0 || high < 0.0 {
-                return None;
-            }
-            continue;
-        }
-        let inverse = 1.0 / direction;
-        let (near, far, side) = if direction > 0.0 {
-            (low * inverse, high * inverse, 2 * axis)
-        } else {
-            (high * inverse, low * inverse, 2 * axis + 1)
-        };
-        if near > enter.fraction {
-            enter = Gate {
-                fraction: near,
-                side,
-            };
-        }
-        if far < leave.fraction {
-            leave = Gate {
-                fraction: far,
-                side: side ^ 1,
-            };
-        }
-    }
-    (enter.fraction <= leave.fraction).then_some((enter, leave))
+pub(super) fn is_behind(polytope: &Polytope, line: &Line, growth: f64) -> bool {
+    let offset = line.origin - polytope.centre();
+    let radius = polytope.max_dist() + 4.0 * growth;
+    let distance = offset.length_squared() * (1.0 - 32.0 * f64::EPSILON);
+    offset.dot(line.direction) > 0.0 && distance > radius * radius
 }
 
 /// Where `line` enters the polytope whose planes are moved out by `growth`, if it does.
 #[inline]
-pub(super) fn enter(
-    polytope: &Polytope,
-    line: &Line,
-    gate: &Gate,
-    growth: f64,
-) -> Option<Crossing> {
-    first(polytope, line.origin, line.direction, gate, growth)
+pub(super) fn enter(polytope: &Polytope, line: &Line, growth: f64) -> Option<Crossing> {
+    first(polytope, line.origin, line.direction, growth)
 }
 
 /// Where it leaves: where the reversed line enters.
 #[inline]
-pub(super) fn leave(
-    polytope: &Polytope,
-    line: &Line,
-    gate: &Gate,
-    growth: f64,
-) -> Option<Crossing> {
-    let gate = Gate {
-        fraction: -gate.fraction,
-        side: gate.side,
-    };
-    let crossing = first(polytope, line.origin, -line.direction, &gate, growth)?;
+pub(super) fn leave(polytope: &Polytope, line: &Line, growth: f64) -> Option<Crossing> {
+    let crossing = first(polytope, line.origin, -line.direction, growth)?;
     Some(Crossing {
         fraction: -crossing.fraction,
         ..crossing
@@ -114,13 +53,7 @@ pub(super) fn leave(
 }
 
 #[inline]
-fn first(
-    polytope: &Polytope,
-    origin: DVec3,
-    direction: DVec3,
-    gate: &Gate,
-    growth: f64,
-) -> Option<Crossing> {
+fn first(polytope: &Polytope, origin: DVec3, direction: DVec3, growth: f64) -> Option<Crossing> {
     let map = polytope.face_map();
     // How fast the line nears the face's grown plane (negative), and its room before it.
     let approach = |face: u32| {
@@ -128,22 +61,18 @@ fn first(
         let room = offset + growth - normal.dot(origin);
         (normal.dot(direction), room)
     };
-    let mut face = map.near(gate.side, origin + gate.fraction * direction);
-    let (mut rate, mut room) = approach(face);
+    let mut face = map.against(direction, map.entry(origin, direction));
+    let (rate, room) = approach(face);
     if rate >= 0.0 {
-        // The cell's face looks away; the one furthest along −direction does not.
-        (face, _) = map.facing(polytope, -direction, face);
-        (rate, room) = approach(face);
-        if rate >= 0.0 {
-            return None;
-        }
+        return None;
     }
     let mut fraction = room / rate;
     loop {
         let current = face;
         let here = fraction;
         let mut tied = false;
-        for &neighbour in map.neighbours(current) {
+        for side in map.sides(current) {
+            let neighbour = side.face;
             let (rate, room) = approach(neighbour);
             // What is left of the room at the current crossing.
             let left = room - here * rate;

@@ -3,18 +3,33 @@
 use crate::draw::Cast;
 use crate::oracle::{Flight, Surface, answer};
 use crate::twofold::dot;
-use feeler::narrow_phase::exact::{Crossing, ball_crossing};
+use feeler::narrow_phase::exact::{Crossing, ball_crossing, ball_touch};
 use feeler::{Feature, Shape};
 use glam::DVec3;
 
+/// The crossing, whose way in must be the touch.
 pub(crate) fn cast(cast: &Cast) -> Option<Crossing> {
-    ball_crossing(
+    let crossing = ball_crossing(
         &cast.ball,
         cast.position,
         &cast.shape,
         cast.orientation,
         cast.motion,
-    )
+    );
+    let touch = ball_touch(
+        &cast.ball,
+        cast.position,
+        &cast.shape,
+        cast.orientation,
+        cast.motion,
+    );
+    // A touch at a fraction whose other end is beyond all numbers is no crossing.
+    if let Some(crossing) = crossing {
+        assert_eq!(touch, Some(crossing.enter), "{cast:?}");
+    } else if let Some(touch) = touch {
+        assert!(touch.fraction.abs() > 1e200, "{cast:?} {touch:?}");
+    }
+    crossing
 }
 
 /// What one cast came to.

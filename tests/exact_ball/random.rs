@@ -5,6 +5,16 @@ use crate::draw::{Cast, Draw, KINDS};
 use feeler::{Shape, Sphere};
 use glam::DVec3;
 
+/// `casts`, or so many times as many as the environment's `CASTS` says: a hunt.
+fn effort(casts: usize) -> usize {
+    casts * std::env::var("CASTS").map_or(1, |times| times.parse::<usize>().unwrap())
+}
+
+/// Seeds moved on by the environment's `SEED`, for fresh casts.
+fn seed(seed: u64) -> u64 {
+    seed + 1000 * std::env::var("SEED").map_or(0, |shift| shift.parse::<u64>().unwrap())
+}
+
 /// Checks `count` casts; how many hit, and how many of those had one feature to tell.
 fn run(name: &str, count: usize, mut make: impl FnMut(usize) -> Cast) -> (usize, usize) {
     let (mut hits, mut unique, mut gap, mut turn) = (0, 0, 0.0_f64, 0.0_f64);
@@ -29,7 +39,7 @@ fn run(name: &str, count: usize, mut make: impl FnMut(usize) -> Cast) -> (usize,
 
 fn casts(share: usize) {
     for (kind, name) in KINDS.into_iter().enumerate() {
-        let mut draw = Draw::new(kind as u64);
+        let mut draw = Draw::new(seed(kind as u64));
         let count = share / if kind < 6 { 1 } else { 2 };
         let mut shape = (draw.shape(kind, 1.0), 1.0);
         let (hits, unique) = run(name, count, |index| {
@@ -49,19 +59,12 @@ fn casts(share: usize) {
 
 #[test]
 fn drawn_casts_agree_with_the_oracle() {
-    casts(2_000);
-}
-
-/// Some minutes, in release.
-#[test]
-#[ignore = "long"]
-fn a_million_casts_agree_with_the_oracle() {
-    casts(125_000);
+    casts(effort(2_000));
 }
 
 fn hulls(casts: usize) {
     for count in [4, 12, 100, 1000] {
-        let mut draw = Draw::new(count as u64);
+        let mut draw = Draw::new(seed(count as u64));
         let casts = (casts / count).max(30);
         let mut shape: Option<Shape> = None;
         run(&format!("hull of {count}"), casts, |index| {
@@ -79,22 +82,15 @@ fn hulls(casts: usize) {
 
 #[test]
 fn hulls_of_all_sizes_agree_with_the_oracle() {
-    hulls(10_000);
-}
-
-/// A minute, in release.
-#[test]
-#[ignore = "long"]
-fn many_hulls_agree_with_the_oracle() {
-    hulls(1_000_000);
+    hulls(effort(10_000));
 }
 
 /// Ten kilometres away the coordinates are coarser; nothing worse may come of it.
 #[test]
 fn casts_from_afar_agree_with_the_oracle() {
     for (kind, name) in KINDS.into_iter().enumerate() {
-        let mut draw = Draw::new(100 + kind as u64);
-        run(name, 300, |_| {
+        let mut draw = Draw::new(seed(100 + kind as u64));
+        run(name, effort(300), |_| {
             let shape = draw.shape(kind, 1.0);
             let mut cast = draw.cast(shape, 1.0, 0.0);
             cast.motion = 2e4 * cast.motion.normalize();
@@ -107,7 +103,7 @@ fn casts_from_afar_agree_with_the_oracle() {
 /// Lines aimed to touch and no more, a little nearer and a little further off.
 fn grazes(count: usize) {
     for (kind, name) in KINDS.into_iter().enumerate() {
-        let mut draw = Draw::new(200 + kind as u64);
+        let mut draw = Draw::new(seed(200 + kind as u64));
         run(name, count, |index| {
             let shape = draw.shape(kind, 1.0);
             let mut cast = draw.cast(shape.clone(), 1.0, 0.0);
@@ -131,22 +127,15 @@ fn grazes(count: usize) {
 
 #[test]
 fn grazes_agree_with_the_oracle() {
-    grazes(300);
-}
-
-/// Half a minute, in release.
-#[test]
-#[ignore = "long"]
-fn many_grazes_agree_with_the_oracle() {
-    grazes(20_000);
+    grazes(effort(300));
 }
 
 /// Balls of a thousandth of the shape and a thousand times as large.
 #[test]
 fn balls_of_any_size_agree_with_the_oracle() {
     for (kind, name) in KINDS.into_iter().enumerate() {
-        let mut draw = Draw::new(300 + kind as u64);
-        run(name, 300, |_| {
+        let mut draw = Draw::new(seed(300 + kind as u64));
+        run(name, effort(300), |_| {
             let shape = draw.shape(kind, 1.0);
             let mut cast = draw.cast(shape.clone(), 1.0, 0.0);
             let radius = draw.log(1e-3, 1e3);
@@ -164,9 +153,9 @@ fn balls_of_any_size_agree_with_the_oracle() {
 /// neighbour to neighbour once stopped there, an edge too far.
 #[test]
 fn thin_hulls_agree_with_the_oracle() {
-    let mut draw = Draw::new(400);
+    let mut draw = Draw::new(seed(400));
     let mut shape: Option<Shape> = None;
-    run("thin hull", 3_000, |index| {
+    run("thin hull", effort(3_000), |index| {
         if index % 8 == 0 {
             shape = None;
         }

@@ -2,26 +2,51 @@
 
 use super::Edge;
 use super::topology::Lists;
+use glam::DVec3;
 
-/// The edges around each face and each vertex of a polytope.
-#[derive(Debug, Clone, PartialEq, Eq)]
+/// An edge with all that a search needs to know of it: one line of cache.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[repr(align(64))]
+pub(crate) struct EdgeLine {
+    /// Its first vertex.
+    pub(crate) from: DVec3,
+    /// From there to its second.
+    pub(crate) along: DVec3,
+    /// As [`Edge`] has them.
+    pub(crate) vertices: [u32; 2],
+    pub(crate) faces: [u32; 2],
+}
+
+/// The edges around each vertex of a polytope.
+#[derive(Debug, Clone, PartialEq)]
 pub(crate) struct EdgeMap {
-    of_faces: Lists,
+    lines: Vec<EdgeLine>,
     of_vertices: Lists,
 }
 
 impl EdgeMap {
-    pub(super) fn new(vertices: usize, faces: usize, edges: &[Edge]) -> Self {
+    pub(super) fn new(vertices: &[DVec3], edges: &[Edge]) -> Self {
+        let line = |&Edge {
+                        vertices: ends,
+                        faces,
+                    }: &Edge| {
+            let [from, to] = ends.map(|end| vertices[end as usize]);
+            EdgeLine {
+                from,
+                along: to - from,
+                vertices: ends,
+                faces,
+            }
+        };
         Self {
-            of_faces: gathered(faces, edges, |edge| edge.faces),
-            of_vertices: gathered(vertices, edges, |edge| edge.vertices),
+            lines: edges.iter().map(line).collect(),
+            of_vertices: gathered(vertices.len(), edges, |edge| edge.vertices),
         }
     }
 
-    /// The edges around a face, in the order of their numbers.
     #[inline]
-    pub(crate) fn around_face(&self, face: u32) -> &[u32] {
-        self.of_faces.get(face as usize)
+    pub(crate) fn line(&self, edge: u32) -> &EdgeLine {
+        &self.lines[edge as usize]
     }
 
     /// The edges that end at a vertex; none at one amid a face.

@@ -10,6 +10,28 @@ use glam::DVec3;
 /// the memory they take costs.
 const MAX_RESOLUTION: usize = 64;
 
+/// What lies across one of a face's edges.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) struct Side {
+    /// The face there.
+    pub(crate) face: u32,
+    /// The edge.
+    pub(crate) edge: u32,
+}
+
+/// A face with all that a walk needs to know of it: one line of cache.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[repr(align(64))]
+struct FaceLine {
+    /// Normal and offset.
+    plane: [f64; 4],
+    /// All of them, if there are no more.
+    sides: [Side; 3],
+    /// Where all of them begin among the map's sides, and how many there are.
+    first: u32,
+    count: u32,
+}
+
 /// The faces' neighbours, and for every part of the bounding box a face near it.
 ///
 /// From there a walk over neighbours finds the face that a ray enters by
@@ -20,95 +42,142 @@ pub(crate) struct FaceMap {
     inner: DVec3,
     /// What rounding may do to a height, see [`facing`](Self::facing).
     height_error: f64,
-    bounds: Aabb,
     resolution: usize,
-    /// Cells per metre along each axis.
-    density: DVec3,
+    /// The middle of the bounds, half their extents and the inverses of those.
+    middle: DVec3,
+    half: DVec3,
+    per_half: DVec3,
     /// By side of the bounds (−x, +x, −y, +y, −z, +z), then by the two coordinates on it.
     cells: Vec<u32>,
-    /// Where each face's list begins in `neighbours`; one more for the end.
-    firsts: Vec<u32>,
-    neighbours: Vec<u32>,
-    /// Normals and offsets once more, side by side: a walk reads one line of cache a face.
-    planes: Vec<[f64; 4]>,
+    lines: Vec<FaceLine>,
+    /// Those of faces that have more than three.
+    sides: Vec<Side>,
 }
 
 impl FaceMap {
     /// The map of a polytope that is complete but for its map.
     pub(super) fn of(polytope: &Polytope) -> Self {
         let (vertices, count) = (polytope.vertices(), polytope.face_normals().len());
-        let (firsts, neighbours) = adjacency(count, polytope.edges());
+        let bounds = Aabb::around(vertices.iter().copied());
+        let half = 0.5 * (bounds.max - bounds.min);
+        let (lines, sides) = lines(polytope);
         let mut map = Self {
             inner: vertices.iter().sum::<DVec3>() / vertices.len().max(1) as f64,
             height_error: 0.0,
-            bounds: Aabb::around(vertices.iter().copied()),
             resolution: ((count as f64 / 6.0).sqrt().ceil() as usize).clamp(1, MAX_RESOLUTION),
-            density: DVec3::ZERO,
+            middle: bounds.min + half,
+            half,
+            per_half: 1.0 / half,
             cells: Vec::new(),
-            firsts,
-            neighbours,
-            planes: (polytope.face_normals().iter())
-                .zip(polytope.face_offsets())
-                .map(|(n, &offset)| [n.x, n.y, n.z, offset])
-                .collect(),
+            lines,
+            sides,
         };
         let shallowest = (polytope.face_normals().iter())
             .zip(polytope.face_offsets())
             .map(|(normal, offset)| offset - normal.dot(map.inner))
             .fold(f64::INFINITY, f64::min);
-        let size = map.bounds.min.abs().max(map.bounds.max.abs()).max_element();
+        let size = bounds.min.abs().max(bounds.max.abs()).max_element();
         map.height_error = 64.0 * f64::EPSILON * size / shallowest.max(f64::MIN_POSITIVE);
-        map.density = map.resolution as f64 / (map.bounds.max - map.bounds.min);
         let mut face = 0;
         for side in 0..6 {
             for cell in 0..map.resolution * map.resolution {
                 let (row, column) = (cell / map.resolution, cell % map.resolution);
                 let outwards = map.cell_centre(side, row, column) - map.inner;
-                (face, _) = map.facing(polytope, outwards, face);
+                (face, _) = map.facing(outwards, face);
                 map.cells.push(face);
             }
         }
         map
     }
 
-    /// The box around the vertices.
-    #[inline]
-    pub(crate) fn bounds(&self) -> &Aabb {
-        &self.bounds
-    }
-
     /// Normal and offset of a face's plane.
     #[inline]
     pub(crate) fn plane(&self, face: u32) -> (DVec3, f64) {
-        let [x, y, z, offset] = self.planes[face as usize];
+        let [x, y, z, offset] = self.lines[face as usize].plane;
         (DVec3::new(x, y, z), offset)
     }
 
-    /// The faces that share an edge with `face`.
+    /// What lies across a face's edges, in the order of the edges' numbers.
     #[inline]
-    pub(crate) fn neighbours(&self, face: u32) -> &[u32] {
-        let face = face as usize;
-        &self.neighbours[self.firsts[face] as usize..self.firsts[face + 1] as usize]
+    pub(crate) fn sides(&self, face: u32) -> &[Side] {
+        let line = &self.lines[face as usize];
+        let (first, count) = (line.first as usize, line.count as usize);
+        (line.sides.get(..count)).unwrap_or_else(|| &self.sides[first..first + count])
     }
 
-    /// A face near `point`, which lies on or near a side of the bounds.
+    /// A face near to where a line enters the polytope, or passes it by.
     #[inline]
-    pub(crate) fn near(&self, side: usize, point: DVec3) -> u32 {
-        let (row, column) = across(side / 2);
-        let place = (point - self.bounds.min) * self.density;
+    pub(crate) fn entry(&self, origin: DVec3, direction: DVec3) -> u32 {
+        self.ellipsoid_entry(origin, direction, self.per_half)
+    }
+
+    /// The same for the polytope grown by `radius`.
+    #[inline]
+    pub(crate) fn grown_entry(&self, origin: DVec3, direction: DVec3, radius: f64) -> u32 {
+        self.ellipsoid_entry(origin, direction, 1.0 / (self.half + radius))
+    }
+
+    /// Takes the polytope for the ellipsoid that fills its bounds, whose half-axes are the inverses
+    /// of `scale`: a guess that needs one root and no branch. Never quite at its silhouette, where
+    /// half of the faces look away from the line. NaN gives some face.
+    #[inline]
+    fn ellipsoid_entry(&self, origin: DVec3, direction: DVec3, scale: DVec3) -> u32 {
+        let (origin, direction) = ((origin - self.middle) * scale, direction * scale);
+        let square = direction.length_squared();
+        let along = origin.dot(direction);
+        let room = along * along - square * (origin.length_squared() - 1.0);
+        let ahead = along + room.max(0.1 * square).sqrt();
+        self.near(square * origin - ahead * direction)
+    }
+
+    /// A face that looks against `direction`, near to `face` if not that one itself; none does
+    /// if the one given back does not.
+    #[inline]
+    pub(crate) fn against(&self, direction: DVec3, face: u32) -> u32 {
+        let rate = |face: u32| self.plane(face).0.dot(direction);
+        if rate(face) < 0.0 {
+            return face;
+        }
+        let (mut steepest, mut least) = (face, 0.0);
+        for side in self.sides(face) {
+            let rate = rate(side.face);
+            if rate < least {
+                (steepest, least) = (side.face, rate);
+            }
+        }
+        if steepest == face {
+            (steepest, _) = self.facing(-direction, face);
+        }
+        steepest
+    }
+
+    /// A face near to where the ray from the middle of the bounds `outwards` comes out;
+    /// in shares of the bounds, and of any length.
+    #[inline]
+    fn near(&self, outwards: DVec3) -> u32 {
+        let size = outwards.abs();
+        let axis = if size.x >= size.y && size.x >= size.z {
+            0
+        } else {
+            1 + usize::from(size.z > size.y)
+        };
+        let outwards = outwards.to_array();
+        let (row, column) = across(axis);
+        let cells = 0.5 * self.resolution as f64;
+        let share = cells / outwards[axis].abs();
         // `as` takes NaN to 0 and what is negative too.
-        let index = |axis: usize| (place[axis] as usize).min(self.resolution - 1);
+        let index =
+            |axis: usize| ((outwards[axis] * share + cells) as usize).min(self.resolution - 1);
+        let side = 2 * axis + usize::from(outwards[axis] > 0.0);
         self.cells[(side * self.resolution + index(row)) * self.resolution + index(column)]
     }
 
     /// Whether `point` lies inside or outside; none if it is so near the surface that
     /// rounding decides.
-    pub(crate) fn holds(&self, polytope: &Polytope, point: DVec3) -> Option<bool> {
+    pub(crate) fn holds(&self, point: DVec3) -> Option<bool> {
         let outwards = point - self.inner;
-        let share = (outwards / (self.bounds.max - self.bounds.min)).abs();
-        let axis = share.max_position();
-        let start = self.near(2 * axis + usize::from(outwards[axis] > 0.0), point);
-        let (_, height) = self.facing(polytope, outwards, start);
+        let start = self.near((point - self.middle) * self.per_half);
+        let (_, height) = self.facing(outwards, start);
         let error = self.height_error * height.max(1.0);
         ((height - 1.0).abs() > error).then_some(height < 1.0)
     }
@@ -118,16 +187,16 @@ impl FaceMap {
     ///
     /// Seen from a point inside, the faces' planes are the corners of the dual polytope, and
     /// the face sought is its furthest corner: climbing over neighbours finds it.
-    pub(crate) fn facing(&self, polytope: &Polytope, outwards: DVec3, start: u32) -> (u32, f64) {
-        let (normals, offsets) = (polytope.face_normals(), polytope.face_offsets());
+    pub(crate) fn facing(&self, outwards: DVec3, start: u32) -> (u32, f64) {
         let height = |face: u32| {
-            let normal = normals[face as usize];
-            normal.dot(outwards) / (offsets[face as usize] - normal.dot(self.inner))
+            let (normal, offset) = self.plane(face);
+            normal.dot(outwards) / (offset - normal.dot(self.inner))
         };
         let (mut face, mut highest) = (start, height(start));
         loop {
             let current = face;
-            for &neighbour in self.neighbours(current) {
+            for side in self.sides(current) {
+                let neighbour = side.face;
                 let height = height(neighbour);
                 // Strictly: so that no face is visited twice and the climb ends.
                 if height > highest {
@@ -142,21 +211,17 @@ impl FaceMap {
 
     fn cell_centre(&self, side: usize, row: usize, column: usize) -> DVec3 {
         let (row_axis, column_axis) = across(side / 2);
-        let mut share = DVec3::splat(side as f64 % 2.0);
-        share[row_axis] = (row as f64 + 0.5) / self.resolution as f64;
-        share[column_axis] = (column as f64 + 0.5) / self.resolution as f64;
-        self.bounds.min + share * (self.bounds.max - self.bounds.min)
+        let mut share = DVec3::splat(2.0 * (side as f64 % 2.0) - 1.0);
+        share[row_axis] = (2.0 * row as f64 + 1.0) / self.resolution as f64 - 1.0;
+        share[column_axis] = (2.0 * column as f64 + 1.0) / self.resolution as f64 - 1.0;
+        self.middle + share * self.half
     }
 }
 
 /// The two axes across `axis`.
 #[inline]
 fn across(axis: usize) -> (usize, usize) {
-    match axis {
-        0 => (1, 2),
-        1 => (2, 0),
-        _ => (0, 1),
-    }
+    [(1, 2), (2, 0), (0, 1)][axis]
 }
 
 impl Default for FaceMap {
@@ -165,37 +230,41 @@ impl Default for FaceMap {
         Self {
             inner: DVec3::ZERO,
             height_error: 0.0,
-            bounds: Aabb::EMPTY,
             resolution: 1,
-            density: DVec3::ZERO,
+            middle: DVec3::ZERO,
+            half: DVec3::ZERO,
+            per_half: DVec3::ZERO,
             cells: Vec::new(),
-            firsts: vec![0],
-            neighbours: Vec::new(),
-            planes: Vec::new(),
+            lines: Vec::new(),
+            sides: Vec::new(),
         }
     }
 }
 
-fn adjacency(faces: usize, edges: &[Edge]) -> (Vec<u32>, Vec<u32>) {
-    let mut firsts = vec![0_u32; faces + 1];
-    for edge in edges {
-        for face in edge.faces {
-            firsts[face as usize + 1] += 1;
+/// For each face its line, and the sides of those that have more than three.
+fn lines(polytope: &Polytope) -> (Vec<FaceLine>, Vec<Side>) {
+    let planes = (polytope.face_normals().iter()).zip(polytope.face_offsets());
+    let mut around = vec![Vec::new(); planes.len()];
+    for (edge, &Edge { faces: [a, b], .. }) in (0..).zip(polytope.edges()) {
+        around[a as usize].push(Side { face: b, edge });
+        around[b as usize].push(Side { face: a, edge });
+    }
+    let mut more = Vec::new();
+    let line = |((n, &offset), around): ((&DVec3, &f64), Vec<Side>)| {
+        let (first, count) = (more.len() as u32, around.len() as u32);
+        let mut sides = [Side::default(); 3];
+        if around.len() <= sides.len() {
+            sides[..around.len()].copy_from_slice(&around);
+        } else {
+            more.extend(around);
         }
-    }
-    for face in 0..faces {
-        firsts[face + 1] += firsts[face];
-    }
-    let mut next = firsts.clone();
-    let mut neighbours = vec![0; 2 * edges.len()];
-    for edge in edges {
-        for (face, other) in [
-            (edge.faces[0], edge.faces[1]),
-            (edge.faces[1], edge.faces[0]),
-        ] {
-            neighbours[next[face as usize] as usize] = other;
-            next[face as usize] += 1;
+        FaceLine {
+            plane: [n.x, n.y, n.z, offset],
+            sides,
+            first,
+            count,
         }
-    }
-    (firsts, neighbours)
+    };
+    let lines = planes.zip(around).map(line).collect();
+    (lines, more)
 }

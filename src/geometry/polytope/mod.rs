@@ -90,8 +90,6 @@ pub struct Polytope {
     triangles: Vec<[u32; 3]>,
     triangle_faces: Vec<u32>,
     edges: Vec<Edge>,
-    /// The edges' numbers in the order of their vertices, the lower first.
-    edge_order: Vec<u32>,
     normals: Vec<DVec3>,
     offsets: Vec<f64>,
     /// The vertices around each face.
@@ -220,11 +218,10 @@ impl Polytope {
         let (centre, max_dist) = bounding_sphere(&vertices);
         let mut polytope = Self {
             offsets: faces.offsets(&vertices, &triangles, &support, tolerance),
-            edge_map: EdgeMap::new(vertices.len(), faces.normals.len(), &faces.edges),
+            edge_map: EdgeMap::new(&vertices, &faces.edges),
             vertices,
             triangles,
             triangle_faces: faces.of_triangle,
-            edge_order: topology::edge_order(&faces.edges),
             edges: faces.edges,
             normals: faces.normals,
             rims: faces.rims,
@@ -250,11 +247,13 @@ impl Polytope {
     }
 
     /// The faces by place and neighbourhood.
+    #[inline]
     pub(crate) fn face_map(&self) -> &FaceMap {
         &self.face_map
     }
 
-    /// The edges by face and by vertex.
+    /// The edges, and those by vertex.
+    #[inline]
     pub(crate) fn edge_map(&self) -> &EdgeMap {
         &self.edge_map
     }
@@ -319,12 +318,25 @@ impl Polytope {
         self.support.vertex(&self.vertices, direction)
     }
 
+    /// The same as [`support`](Self::support), sought from a vertex thought to be near.
+    pub(crate) fn support_near(&self, direction: DVec3, start: u32) -> u32 {
+        self.support.vertex_near(&self.vertices, direction, start)
+    }
+
     /// The number of the edge between two vertices.
     pub(crate) fn edge_between(&self, from: u32, to: u32) -> Option<u32> {
-        let vertices = (from.min(to), from.max(to));
-        let of = |&edge: &u32| topology::sorted_vertices(&self.edges[edge as usize]);
-        let place = self.edge_order.binary_search_by_key(&vertices, of).ok()?;
-        self.edge_order.get(place).copied()
+        let around = |vertex| self.edge_map.around_vertex(vertex);
+        // A cone's tip has many.
+        let list = if around(from).len() <= around(to).len() {
+            around(from)
+        } else {
+            around(to)
+        };
+        let joins = |&&edge: &&u32| {
+            let [first, second] = self.edges[edge as usize].vertices;
+            (first, second) == (from, to) || (first, second) == (to, from)
+        };
+        list.iter().find(joins).copied()
     }
 
     /// The vertices that share a triangle's edge with `vertex`, if it is a corner of the hull.

@@ -54,6 +54,14 @@ impl Support {
         self.climb(vertices, direction, start)
     }
 
+    /// The same, sought from a vertex that is thought to be near.
+    pub(super) fn vertex_near(&self, vertices: &[DVec3], direction: DVec3, start: u32) -> u32 {
+        if self.starts.is_empty() {
+            return scan(vertices, direction);
+        }
+        self.climb(vertices, direction, start)
+    }
+
     /// The corners of the exact hull around one of them.
     pub(super) fn neighbours(&self, vertex: u32) -> &[u32] {
         self.climb.get(vertex as usize)
@@ -100,14 +108,18 @@ impl Support {
             let here = vertices[best as usize];
             let (mut gain, mut higher) = (0.0, best);
             for &neighbour in self.climb.get(best as usize) {
-                let products = direction * (vertices[neighbour as usize] - here);
-                let height = products.element_sum();
-                // NaN is no gain.
-                if height > gain && height > 4.0 * f64::EPSILON * products.abs().element_sum() {
-                    (gain, higher) = (height, neighbour);
-                }
+                let height = direction.dot(vertices[neighbour as usize] - here);
+                // NaN is no gain. Two selections and no branch: which neighbour is higher
+                // cannot be predicted.
+                let up = height > gain;
+                gain = if up { height } else { gain };
+                higher = std::hint::select_unpredictable(up, neighbour, higher);
             }
             if higher == best {
+                break;
+            }
+            let products = direction * (vertices[higher as usize] - here);
+            if gain <= 4.0 * f64::EPSILON * products.abs().element_sum() {
                 break;
             }
             best = higher;

@@ -1,7 +1,5 @@
 //! Who lies next to whom.
 
-use crate::geometry::Edge;
-
 /// The triangle across the edge from corner `i` to corner `i + 1`, for each
 /// triangle of a closed surface.
 pub(super) fn neighbours(triangles: &[[u32; 3]]) -> Vec<[u32; 3]> {
@@ -21,19 +19,6 @@ pub(super) fn neighbours(triangles: &[[u32; 3]]) -> Vec<[u32; 3]> {
         }
     }
     neighbours
-}
-
-/// The numbers of the edges in the order of their vertices.
-pub(super) fn edge_order(edges: &[Edge]) -> Vec<u32> {
-    let mut order: Vec<u32> = (0..edges.len() as u32).collect();
-    order.sort_unstable_by_key(|&edge| sorted_vertices(&edges[edge as usize]));
-    order
-}
-
-/// An edge's vertices, the lower number first.
-pub(super) fn sorted_vertices(edge: &Edge) -> (u32, u32) {
-    let [from, to] = edge.vertices;
-    (from.min(to), from.max(to))
 }
 
 /// A list of lists, one after the other.
@@ -57,6 +42,7 @@ impl Lists {
         self.starts.push(self.items.len() as u32);
     }
 
+    #[inline]
     pub(super) fn get(&self, list: usize) -> &[u32] {
         &self.items[self.starts[list] as usize..self.starts[list + 1] as usize]
     }

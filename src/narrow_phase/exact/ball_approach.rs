@@ -1,6 +1,6 @@
 //! A line's closest approach to a point, and when it comes within a distance of it.
 
-use crate::math::exact;
+use crate::raycast::power;
 use glam::DVec3;
 
 /// The closest approach of a moving point to the origin of its coordinates.
@@ -8,6 +8,8 @@ use glam::DVec3;
 pub(super) struct Approach {
     /// When, in directions.
     pub(super) middle: f64,
+    /// The same times the direction's square: what has not been divided.
+    along: f64,
     /// Where the point is then.
     pub(super) closest: DVec3,
     /// The square of the radius less that of the closest distance.
@@ -18,51 +20,62 @@ impl Approach {
     /// `square` is that of `direction` and positive.
     #[inline]
     pub(super) fn new(from: DVec3, direction: DVec3, square: f64, radius: f64) -> Self {
-        let middle = -from.dot(direction) / square;
+        let along = -from.dot(direction);
+        let middle = along / square;
         let closest = from + middle * direction;
         Self {
             middle,
+            along,
             closest,
             room: radius * radius - closest.length_squared(),
         }
     }
 
+    /// Half the time spent within the radius, 0 for a point that passes by, times the square.
+    #[inline]
+    fn root(&self, square: f64) -> f64 {
+        (self.room.max(0.0) * square).sqrt()
+    }
+
     /// Half the time spent within the radius; 0 for a point that passes by.
     #[inline]
     pub(super) fn half(&self, square: f64) -> f64 {
-        (self.room.max(0.0) / square).sqrt()
+        self.root(square) / square
+    }
+
+    /// When the point that sets out at `from` comes within the radius.
+    ///
+    /// Neither way is there a difference of like numbers: what lies ahead is nearer than the middle
+    /// and follows from the product of both ends. So a start that touches exactly gives
+    /// exactly 0, and one ulp off gives the right sign.
+    #[inline]
+    pub(super) fn enter(&self, from: DVec3, square: f64, radius: f64) -> f64 {
+        let half = self.root(square);
+        if self.along > 0.0 {
+            power(from, radius) / (self.along + half)
+        } else {
+            (self.along - half) / square
+        }
     }
 }
 
-/// When a point comes within `radius` of the origin and when it is last.
+/// `away` at unit length, which is about `radius` long as a rule.
 ///
-/// The end of the interval that is further off is a sum without cancellation;
-/// the nearer one follows from their product. So a start that touches exactly gives
-/// exactly 0, and one ulp off gives the right sign.
+/// One of Newton's steps instead of a root: off by the square of what the length is off.
 #[inline]
-pub(super) fn ends(
-    approach: &Approach,
-    half: f64,
-    from: DVec3,
-    square: f64,
-    radius: f64,
-) -> (f64, f64) {
-    let far = approach.middle + half.copysign(approach.middle);
-    let near = if far == 0.0 {
-        0.0
+pub(super) fn normal(away: DVec3, radius: f64) -> DVec3 {
+    let rough = away / radius;
+    let square = rough.length_squared();
+    // False for NaN too.
+    if (square - 1.0).abs() < 1e-8 {
+        rough * (1.5 - 0.5 * square)
     } else {
-        power(from, radius) / (square * far)
-    };
-    (near.min(far), near.max(far))
+        from_afar(away)
+    }
 }
 
-/// `|point|² − radius²`, with the right sign also where the two nearly cancel.
-#[inline]
-fn power(point: DVec3, radius: f64) -> f64 {
-    let power = point.length_squared() - radius * radius;
-    if power.abs() > 1e-12 * radius * radius {
-        power
-    } else {
-        exact::sum_of_squares_minus(point.to_array(), radius)
-    }
+/// Where the distance flown has rounded the length away.
+#[cold]
+fn from_afar(away: DVec3) -> DVec3 {
+    away.normalize_or(DVec3::X)
 }

@@ -1,7 +1,7 @@
 //! A ball cast at a ball.
 
 use super::Crossing;
-use super::ball_approach::{Approach, ends};
+use super::ball_approach::{Approach, normal};
 use super::ball_line::{Line, Touch};
 use crate::geometry::Feature;
 use glam::DVec3;
@@ -28,25 +28,31 @@ use glam::DVec3;
 #[inline]
 pub fn ball_ball(radius_a: f64, radius_b: f64, between: DVec3, motion: DVec3) -> Option<Crossing> {
     let line = Line::new(-between, motion)?;
-    line.crossing(of_ball(&line, radius_a, radius_b)?)
+    let radii = [radius_a, radius_b];
+    let enter = of_ball(&line, radii)?;
+    let last = of_ball(&line.reversed(), radii);
+    line.crossing(enter, last)
 }
 
+/// Two balls of these radii.
 #[inline]
-pub(super) fn of_ball(line: &Line, radius_a: f64, radius_b: f64) -> Option<Touch> {
-    let radius = radius_a + radius_b;
+pub(super) fn of_ball(line: &Line, radii: [f64; 2]) -> Option<Touch> {
+    let radius = radii[0] + radii[1];
+    let slack = line.slack(radius);
+    if line.passes_by(line.origin, radius + 4.0 * slack) {
+        return None;
+    }
     let approach = Approach::new(line.origin, line.direction, line.square, radius);
-    if approach.room < 0.0 && approach.room < -2.0 * radius * line.slack(radius) {
+    if approach.room < 0.0 && approach.room < -2.0 * radius * slack {
         return None;
     }
     let half = approach.half(line.square);
-    let (enter, leave) = ends(&approach, half, line.origin, line.square, radius);
     // From the closest point: `origin + enter · direction` would lose the digits of a far
     // origin twice.
-    let normal = (approach.closest - half * line.direction).normalize_or(DVec3::X);
+    let normal = normal(approach.closest - half * line.direction, radius);
     Some(Touch {
-        enter,
-        leave,
-        foot: radius_b * normal,
+        fraction: approach.enter(line.origin, line.square, radius),
+        foot: radii[1] * normal,
         normal,
         feature: Feature::Surface,
     })

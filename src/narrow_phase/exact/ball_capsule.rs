@@ -24,8 +24,6 @@ pub(super) struct Meeting {
     pub(super) rank: f64,
     /// The line's fraction, of the hit or of the closest approach.
     pub(super) fraction: f64,
-    /// When the line leaves the radius again.
-    pub(super) leave: f64,
     pub(super) away: DVec3,
     pub(super) place: Place,
 }
@@ -46,13 +44,12 @@ impl Meeting {
 /// of the sine: what is left of the direction is rounding.
 const PARALLEL: f64 = 1e-30;
 
-/// The line with the segment from `from` to `to`.
+/// The line with the segment that begins at `from` and leads `along`.
 ///
 /// Inside the cylinder around the whole segment's line; where that is entered beside an end,
 /// only the sphere around the end can be met first.
 #[inline]
-pub(super) fn meet(line: &Line, from: DVec3, to: DVec3, radius: f64) -> Meeting {
-    let along = to - from;
+pub(super) fn meet(line: &Line, from: DVec3, along: DVec3, radius: f64) -> Meeting {
     let start = line.origin - from;
     let inverse = 1.0 / along.length_squared();
     let (rate, offset) = (
@@ -63,62 +60,24 @@ pub(super) fn meet(line: &Line, from: DVec3, to: DVec3, radius: f64) -> Meeting 
     let origin = start - offset * along;
     let square = direction.length_squared();
     if square <= PARALLEL * line.square {
-        return beside(line, [from, to], radius, origin, (rate, offset));
+        return beside(line, [from, from + along], radius, origin, (rate, offset));
     }
     let approach = Approach::new(origin, direction, square, radius);
-    if approach.room >= 0.0 {
-        let half = approach.half(square);
-        let fraction = approach.middle - half;
-        let share = offset + rate * fraction;
-        let end = if share < 0.0 {
-            0
-        } else if share > 1.0 {
-            1
-        } else {
-            let leave = approach.middle + half;
-            let share = offset + rate * leave;
-            return Meeting {
-                hit: true,
-                rank: fraction,
-                fraction,
-                leave: if (0.0..=1.0).contains(&share) {
-                    leave
-                } else {
-                    // It was in the capsule, so it goes out through the end's sphere.
-                    let end = if share < 0.0 { from } else { to };
-                    meet_point(line, end, radius, 0).leave.min(leave)
-                },
-                away: approach.closest - half * direction,
-                place: Place::Inner,
-            };
-        };
-        let mut meeting = meet_point(line, [from, to][end], radius, end);
-        // Through the first sphere into the cylinder and on.
-        let share = offset + rate * (approach.middle + half);
-        if meeting.hit && (0.0..=1.0).contains(&share) {
-            meeting.leave = meeting.leave.max(approach.middle + half);
-        } else if meeting.hit {
-            let other = meet_point(line, [to, from][end], radius, 1 - end);
-            if other.hit {
-                meeting.leave = meeting.leave.max(other.leave);
-            }
-        }
-        return meeting;
+    let (hit, half) = (approach.room >= 0.0, approach.half(square));
+    let fraction = approach.middle - half;
+    let share = offset + rate * fraction;
+    if !(0.0..=1.0).contains(&share) {
+        let end = usize::from(share > 1.0);
+        let point = if end == 0 { from } else { from + along };
+        return meet_point(line, point, radius, end);
     }
-    let share = offset + rate * approach.middle;
-    if share < 0.0 {
-        meet_point(line, from, radius, 0)
-    } else if share > 1.0 {
-        meet_point(line, to, radius, 1)
-    } else {
-        Meeting {
-            hit: false,
-            rank: approach.closest.length_squared(),
-            fraction: approach.middle,
-            leave: approach.middle,
-            away: approach.closest,
-            place: Place::Inner,
-        }
+    let away = approach.closest - half * direction;
+    Meeting {
+        hit,
+        rank: if hit { fraction } else { away.length_squared() },
+        fraction,
+        away,
+        place: Place::Inner,
     }
 }
 
@@ -126,19 +85,14 @@ pub(super) fn meet(line: &Line, from: DVec3, to: DVec3, radius: f64) -> Meeting 
 #[inline]
 pub(super) fn meet_point(line: &Line, point: DVec3, radius: f64, end: usize) -> Meeting {
     let approach = Approach::new(line.origin - point, line.direction, line.square, radius);
-    let hit = approach.room >= 0.0;
-    let half = approach.half(line.square);
+    let (hit, half) = (approach.room >= 0.0, approach.half(line.square));
     let fraction = approach.middle - half;
+    let away = approach.closest - half * line.direction;
     Meeting {
         hit,
-        rank: if hit {
-            fraction
-        } else {
-            approach.closest.length_squared()
-        },
+        rank: if hit { fraction } else { away.length_squared() },
         fraction,
-        leave: approach.middle + half,
-        away: approach.closest - half * line.direction,
+        away,
         place: Place::End(end),
     }
 }
@@ -155,12 +109,7 @@ fn beside(
     let first = usize::from(rate < 0.0);
     let met = meet_point(line, ends[first], radius, first);
     if met.hit {
-        let other = meet_point(line, ends[1 - first], radius, 1 - first);
-        let leave = if other.hit { other.leave } else { met.leave };
-        return Meeting {
-            leave: met.leave.max(leave),
-            ..met
-        };
+        return met;
     }
     // As near to the middle as to any other point.
     let fraction = (0.5 - offset) / rate;
@@ -168,7 +117,6 @@ fn beside(
         hit: false,
         rank: away.length_squared(),
         fraction,
-        leave: fraction,
         away,
         place: Place::Inner,
     }

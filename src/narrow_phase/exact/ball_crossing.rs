@@ -1,11 +1,8 @@
-//! A ball cast at any shape.
+//! A ball cast at any shape and out again.
 
 use super::Crossing;
-use super::ball_ball::of_ball;
-use super::ball_cuboid::of_cuboid;
 use super::ball_line::Line;
-use super::ball_polytope::of_polytope;
-use super::ball_triangle::of_triangle;
+use super::ball_touch::{first, rotation};
 use crate::geometry::{Shape, Sphere};
 use glam::{DQuat, DVec3};
 
@@ -20,7 +17,8 @@ use glam::{DQuat, DVec3};
 /// cylinders, its vertices as spheres. A touch where two features meet may be told of either.
 ///
 /// The gap at the touch is some ulp of the coordinates given and of the shape's size. O(1), for a
-/// polytope usually too: it is searched from neighbour to neighbour.
+/// polytope usually too: it is searched from neighbour to neighbour. Where only the touch is
+/// asked for, [`ball_touch`](super::ball_touch) takes half the time.
 ///
 /// ```
 /// use feeler::narrow_phase::exact::ball_crossing;
@@ -48,16 +46,12 @@ pub fn ball_crossing(
 ) -> Option<Crossing> {
     let radius = sphere.radius();
     let world = Line::new(position, motion)?;
-    let turned = || world.turned(orientation.conjugate());
-    let touch = match shape {
-        // A ball has no orientation: nothing is rounded by turning.
-        Shape::Sphere(other) => return world.crossing(of_ball(&world, radius, other.radius())?),
-        Shape::Cuboid(cuboid) => of_cuboid(&turned(), cuboid, radius),
-        Shape::Triangle(triangle) => of_triangle(&turned(), triangle, radius),
-        Shape::Polytope(polytope) => of_polytope(&turned(), polytope, radius),
-    }?;
-    let mut crossing = world.crossing(touch)?;
-    crossing.enter.point = orientation * crossing.enter.point;
-    crossing.enter.normal = orientation * crossing.enter.normal;
+    let rotation = rotation(shape, orientation);
+    let line = world.turned(&rotation);
+    let enter = first(&line, shape, radius)?;
+    let last = first(&line.reversed(), shape, radius);
+    let mut crossing = world.crossing(enter, last)?;
+    crossing.enter.point = rotation * crossing.enter.point;
+    crossing.enter.normal = rotation * crossing.enter.normal;
     Some(crossing)
 }

@@ -7,7 +7,7 @@
 //! the piece that holds the minimum without one says that there is none. Each piece
 //! is a closest approach in one, two or three of the axes: to a face, an edge, a vertex.
 
-use super::ball_approach::{Approach, ends};
+use super::ball_approach::{Approach, normal};
 use super::ball_line::{Line, Touch};
 use crate::geometry::{Cuboid, Feature};
 use glam::DVec3;
@@ -24,34 +24,30 @@ struct Entry {
     away: DVec3,
 }
 
-/// At most seven pieces each way.
+/// At most seven pieces.
+#[inline]
 pub(super) fn of_cuboid(line: &Line, cuboid: &Cuboid, radius: f64) -> Option<Touch> {
     let half_extents = cuboid.half_extents();
     let slack = line.slack(half_extents.max_element() + radius);
+    if line.passes_by(line.origin, half_extents.length() + radius + 4.0 * slack) {
+        return None;
+    }
     let mirror = DVec3::ONE.copysign(line.direction);
-    let (origin, speed) = (mirror * line.origin, line.direction.abs());
     let reach = Reach {
         half_extents,
         radius,
         slack,
     };
-    let enter = reach.first(origin, speed)?;
-    let leave = reach.first(-origin, speed).map(|entry| -entry.fraction);
+    let enter = reach.first(mirror * line.origin, line.direction.abs())?;
     let away = mirror * enter.away;
     let point = line.origin + enter.fraction * line.direction;
     let inside = point.clamp(-half_extents, half_extents);
-    let foot = DVec3::from_array(std::array::from_fn(|axis| {
-        if away[axis] == 0.0 {
-            inside[axis]
-        } else {
-            half_extents[axis].copysign(away[axis])
-        }
-    }));
+    let corner = half_extents.copysign(away);
+    let foot = DVec3::select(away.cmpeq(DVec3::ZERO), inside, corner);
     Some(Touch {
-        enter: enter.fraction,
-        leave: leave.unwrap_or(enter.fraction),
+        fraction: enter.fraction,
         foot,
-        normal: away.normalize_or(DVec3::X),
+        normal: normal(away, radius),
         feature: feature(away),
     })
 }
@@ -76,29 +72,42 @@ struct Reach {
     slack: f64,
 }
 
+/// One axis of the line's way.
+#[derive(Clone, Copy)]
+struct Axis {
+    speed: f64,
+    /// From the planes that the line comes in by and goes out by, as it sets out.
+    near: f64,
+    far: f64,
+    /// When it crosses them.
+    into: f64,
+    out: f64,
+}
+
 impl Reach {
     /// `speed` has no negative component.
     #[inline]
     fn first(&self, origin: DVec3, speed: DVec3) -> Option<Entry> {
         let grown = self.radius + self.slack;
-        // From the planes that the line comes in by and goes out by.
-        let (near, far) = (origin + self.half_extents, origin - self.half_extents);
-        // When it crosses them.
-        let (mut into, mut out) = ([0.0; 3], [0.0; 3]);
         let (mut start, mut end, mut first) = (f64::NEG_INFINITY, f64::INFINITY, 0);
-        for axis in 0..3 {
-            if speed[axis] > STANDSTILL {
-                let inverse = 1.0 / speed[axis];
-                (into[axis], out[axis]) = (-near[axis] * inverse, -far[axis] * inverse);
-                let enter = (-grown - near[axis]) * inverse;
-                end = end.min((grown - far[axis]) * inverse);
+        let (near, far) = (
+            (origin + self.half_extents).to_array(),
+            (origin - self.half_extents).to_array(),
+        );
+        let speed = speed.to_array();
+        let mut beside = false;
+        let axes: [Axis; 3] = std::array::from_fn(|axis| {
+            let (speed, near, far) = (speed[axis], near[axis], far[axis]);
+            let (into, out) = if speed > STANDSTILL {
+                let inverse = 1.0 / speed;
+                let enter = (-grown - near) * inverse;
+                end = end.min((grown - far) * inverse);
                 if enter > start {
                     (start, first) = (enter, axis);
                 }
+                (-near * inverse, -far * inverse)
             } else {
-                if near[axis] < -grown || far[axis] > grown {
-                    return None;
-                }
+                beside |= near < -grown || far > grown;
                 // Beside one of the planes, or between them, for ever.
                 let side = |out: bool| {
                     if out {
@@ -107,69 +116,71 @@ impl Reach {
                         f64::NEG_INFINITY
                     }
                 };
-                (into[axis], out[axis]) = (side(near[axis] < 0.0), side(far[axis] <= 0.0));
+                (side(near < 0.0), side(far <= 0.0))
+            };
+            Axis {
+                speed,
+                near,
+                far,
+                into,
+                out,
             }
-        }
-        if start > end {
+        });
+        if beside || start > end {
             return None;
         }
         let mut here = start;
         loop {
-            let (mut from, mut direction, mut next) = (DVec3::ZERO, DVec3::ZERO, f64::INFINITY);
-            for axis in 0..3 {
-                if here < into[axis] {
-                    (from[axis], direction[axis]) = (near[axis], speed[axis]);
-                    next = next.min(into[axis]);
-                } else if here < out[axis] {
-                    next = next.min(out[axis]);
-                } else {
-                    (from[axis], direction[axis]) = (far[axis], speed[axis]);
-                }
+            // What sticks out from here to the next plane.
+            let (mut from, mut direction, mut next) = ([0.0; 3], [0.0; 3], f64::INFINITY);
+            for (index, axis) in axes.iter().enumerate() {
+                let (before, after) = (here < axis.into, here >= axis.out);
+                let height = if before { axis.near } else { axis.far };
+                let sticks_out = before || after;
+                from[index] = if sticks_out { height } else { 0.0 };
+                direction[index] = if sticks_out { axis.speed } else { 0.0 };
+                let plane = if before { axis.into } else { axis.out };
+                next = next.min(if after { f64::INFINITY } else { plane });
             }
+            let (mut from, mut direction) = (DVec3::from(from), DVec3::from(direction));
             if from == DVec3::ZERO {
                 // In the box: the radius is below rounding.
-                from[first] = near[first];
-                direction[first] = speed[first];
+                let axis = axes[first];
+                from = axis.near * DVec3::AXES[first];
+                direction = axis.speed * DVec3::AXES[first];
             }
-            if let Some(decided) = self.in_piece(from, direction, here, next) {
-                return decided;
+            // Still too far at the next plane, and coming nearer: for a later piece to say.
+            let there = from + next * direction;
+            let later =
+                there.length_squared() > self.radius * self.radius && there.dot(direction) < 0.0;
+            if !later {
+                return self.in_piece(from, direction, [here, next]);
             }
             here = next;
         }
     }
 
-    /// What happens from `here` to `next`, where the line's point sticks out of the box by
-    /// `from + fraction · direction`; none if that is for a later piece to say.
+    /// What happens in the piece between these fractions, where the line's point sticks out of the
+    /// box by `from + fraction · direction`, and the touch or the closest approach is.
     #[inline]
-    fn in_piece(
-        &self,
-        from: DVec3,
-        direction: DVec3,
-        here: f64,
-        next: f64,
-    ) -> Option<Option<Entry>> {
+    fn in_piece(&self, from: DVec3, direction: DVec3, [here, next]: [f64; 2]) -> Option<Entry> {
         let square = direction.length_squared();
         if square > 0.0 {
             let approach = Approach::new(from, direction, square, self.radius);
-            if approach.room >= 0.0 {
-                let half = approach.half(square);
-                let fraction = approach.middle - half;
-                if fraction <= next && approach.middle >= here {
-                    let (fraction, _) = ends(&approach, half, from, square, self.radius);
-                    // A line along the feature, but for rounding, has no fraction to speak of.
-                    let fraction = fraction.max(here).min(next);
-                    let away = approach.closest - half * direction;
-                    return Some(Some(Entry { fraction, away }));
-                }
+            let middle = approach.middle;
+            if approach.room >= 0.0 && middle >= here {
+                // A line along the feature, but for rounding, has no fraction to speak of.
+                let fraction = approach.enter(from, square, self.radius);
+                let away = approach.closest - approach.half(square) * direction;
+                return Some(Entry {
+                    fraction: fraction.max(here).min(next),
+                    away,
+                });
             }
-            if approach.middle > next {
-                return None;
-            }
-            // The distance is least in this piece, or where it begins.
-            return Some(self.graze(from, direction, approach.middle.max(here)));
+            return self.graze(from, direction, middle.max(here));
         }
         // Going along what it is out from.
-        Some(self.graze(from, direction, here))
+        self.graze(from, direction, here)
     }
 
     #[inline]

@@ -1,12 +1,9 @@
 //! The way of a ball's centre, made fit to compute with.
 
 use super::{Crossing, Touching};
-use crate::geometry::Feature;
-use crate::raycast::{GRAZE, MAX_ORIGIN};
-use glam::{DQuat, DVec3};
-
-/// Motions between these lengths are used as they are.
-const PLAIN_LENGTHS: std::ops::RangeInclusive<f64> = 1e-60..=1e60;
+use crate::geometry::{Feature, Ray};
+use crate::raycast::{GRAZE, scale};
+use glam::{DMat3, DVec3};
 
 /// A line in the frame of the body that stands, with a direction whose square neither
 /// overflows nor underflows.
@@ -20,10 +17,10 @@ pub(super) struct Line {
     scale: f64,
 }
 
-/// What a line does to a rounded shape: fractions in directions, vectors in the shape's frame.
+/// What a line first touches of a rounded shape: a fraction in directions, vectors in the
+/// shape's frame.
 pub(super) struct Touch {
-    pub(super) enter: f64,
-    pub(super) leave: f64,
+    pub(super) fraction: f64,
     /// The point of the shape that is touched.
     pub(super) foot: DVec3,
     pub(super) normal: DVec3,
@@ -34,38 +31,11 @@ impl Line {
     /// None if a number is not finite, the origin out of all bounds or the motion zero.
     #[inline]
     pub(super) fn new(origin: DVec3, motion: DVec3) -> Option<Self> {
-        let (far, reach) = (origin.abs(), motion.abs());
-        // A NaN fails these comparisons; `max_element` would pass over it.
-        let fit = far.x <= MAX_ORIGIN
-            && far.y <= MAX_ORIGIN
-            && far.z <= MAX_ORIGIN
-            && reach.x <= f64::MAX
-            && reach.y <= f64::MAX
-            && reach.z <= f64::MAX;
-        if !fit {
-            return None;
-        }
-        let longest = reach.max_element();
-        if PLAIN_LENGTHS.contains(&longest) {
-            return Some(Self {
-                origin,
-                direction: motion,
-                square: motion.length_squared(),
-                scale: 1.0,
-            });
-        }
-        Self::rescaled(origin, motion, longest)
-    }
-
-    #[cold]
-    fn rescaled(origin: DVec3, motion: DVec3, longest: f64) -> Option<Self> {
-        if longest <= 0.0 {
-            return None;
-        }
-        // Bits 52 to 62 are the exponent plus 1023; 1000 keeps the scale itself normal.
-        let exponent = ((longest.to_bits() >> 52) as i64 - 1023).clamp(-1000, 1000);
-        let scale = f64::from_bits(((1023 - exponent) as u64) << 52);
-        let direction = motion * scale;
+        let scale = scale(&Ray {
+            origin,
+            direction: motion,
+        })?;
+        let direction = scale * motion;
         Some(Self {
             origin,
             direction,
@@ -95,30 +65,56 @@ impl Line {
         GRAZE * (self.origin.abs().max_element() + size)
     }
 
-    /// The line in a frame turned by `turn`.
+    /// Whether the line surely stays further than `reach` from a point that its origin is
+    /// `offset` away from.
+    ///
+    /// Compares squares, which are off by a few ulp of that distance's: no division, and in most
+    /// misses nothing else need be done.
     #[inline]
-    pub(super) fn turned(&self, turn: DQuat) -> Self {
+    pub(super) fn passes_by(&self, offset: DVec3, reach: f64) -> bool {
+        let along = offset.dot(self.direction);
+        let distance = offset.length_squared() * (1.0 - 32.0 * f64::EPSILON);
+        (distance - reach * reach) * self.square > along * along
+    }
+
+    /// The line in the frame that `rotation` leads from.
+    #[inline]
+    pub(super) fn turned(&self, rotation: &DMat3) -> Self {
+        let back = |vector: DVec3| {
+            DVec3::new(
+                rotation.x_axis.dot(vector),
+                rotation.y_axis.dot(vector),
+                rotation.z_axis.dot(vector),
+            )
+        };
         Self {
-            origin: turn * self.origin,
-            direction: turn * self.direction,
+            origin: back(self.origin),
+            direction: back(self.direction),
             ..*self
         }
     }
 
-    /// The touch of a ball and a shape with fractions in motions, if those are finite.
+    /// A ball's touch with its fraction in motions, if that is finite.
     #[inline]
-    pub(super) fn crossing(&self, touch: Touch) -> Option<Crossing> {
-        let enter = touch.enter * self.scale;
-        let leave = touch.leave * self.scale;
-        (enter.is_finite() && leave.is_finite()).then(|| Crossing {
-            enter: Touching {
-                fraction: enter,
-                point: touch.foot,
-                normal: touch.normal,
-                features: [Feature::Surface, touch.feature],
-            },
-            // Rounding may have made the ends of a graze change places.
-            leave: leave.max(enter),
+    pub(super) fn touching(&self, touch: Touch) -> Option<Touching> {
+        let fraction = touch.fraction * self.scale;
+        fraction.is_finite().then_some(Touching {
+            fraction,
+            point: touch.foot,
+            normal: touch.normal,
+            features: [Feature::Surface, touch.feature],
+        })
+    }
+
+    /// A crossing, from what the line touches first and what it does when run backwards.
+    #[inline]
+    pub(super) fn crossing(&self, first: Touch, last: Option<Touch>) -> Option<Crossing> {
+        let enter = self.touching(first)?;
+        // Rounding may find a graze one way only, and make its ends change places.
+        let leave = last.map_or(enter.fraction, |last| -last.fraction * self.scale);
+        leave.is_finite().then_some(Crossing {
+            enter,
+            leave: leave.max(enter.fraction),
         })
     }
 }

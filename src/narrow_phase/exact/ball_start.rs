@@ -1,13 +1,12 @@
 //! Where on a polytope the search for the first touch begins.
 
 use super::ball_polytope::Cast;
-use glam::DVec3;
 
 /// A face near the first touch; none if the line passes the polytope by.
 ///
 /// The line enters the polytope with its faces pushed out by the radius at the face where it
 /// crosses the last of those that look towards it. That polytope holds the rounded one. The face is
-/// found from neighbour to neighbour, beginning where the line enters the sphere around all.
+/// found from neighbour to neighbour, beginning near to where the line comes in.
 pub(super) fn start(cast: &Cast) -> Option<u32> {
     let map = cast.polytope.face_map();
     let line = &cast.line;
@@ -17,33 +16,29 @@ pub(super) fn start(cast: &Cast) -> Option<u32> {
         let room = offset + grown - normal.dot(line.origin);
         (normal.dot(line.direction), room)
     };
-    let mut face = near(cast);
-    let (mut rate, mut room) = approach(face);
+    let near = map.grown_entry(line.origin, line.direction, cast.radius);
+    let mut face = map.against(line.direction, near);
+    let (rate, room) = approach(face);
     if rate >= 0.0 {
-        if room < 0.0 && rate == 0.0 {
-            return None;
-        }
-        // The one furthest along −direction looks towards the line.
-        (face, _) = map.facing(cast.polytope, -line.direction, face);
-        (rate, room) = approach(face);
-        if rate >= 0.0 {
-            return Some(face);
-        }
+        return Some(face);
     }
     let mut fraction = room / rate;
     loop {
         let (current, here) = (face, fraction);
-        for &neighbour in map.neighbours(current) {
+        for side in map.sides(current) {
+            let neighbour = side.face;
             let (rate, room) = approach(neighbour);
-            if rate < 0.0 {
-                // Strictly larger, so that no face comes twice and the walk ends.
-                let crossing = room / rate;
-                if crossing > fraction {
-                    (face, fraction) = (neighbour, crossing);
-                }
-            } else if room < here * rate {
-                // Left before it was entered.
+            // Neither crossed later nor left before.
+            if room >= here * rate {
+                continue;
+            }
+            if rate >= 0.0 {
                 return None;
+            }
+            // Strictly larger, so that no face comes twice and the walk ends.
+            let crossing = room / rate;
+            if crossing > fraction {
+                (face, fraction) = (neighbour, crossing);
             }
         }
         if face == current {
@@ -52,46 +47,48 @@ pub(super) fn start(cast: &Cast) -> Option<u32> {
     }
 }
 
-/// A face near to where the line enters the sphere around the rounded polytope.
-fn near(cast: &Cast) -> u32 {
-    let (line, polytope) = (&cast.line, cast.polytope);
-    let map = polytope.face_map();
-    let offset = line.origin - polytope.centre();
-    let reach = polytope.max_dist() + cast.radius;
-    let half = ((reach * reach - offset.length_squared()).max(0.0) / line.square).sqrt();
-    let outwards = offset - half * line.direction;
-    // From the centre of the bounds to the side that this leads to.
-    let bounds = map.bounds();
-    let room = 0.5 * (bounds.max - bounds.min);
-    let share = (outwards / room).abs();
-    let axis = share.max_position();
-    let point = 0.5 * (bounds.max + bounds.min) + outwards / share[axis];
-    map.near(2 * axis + usize::from(outwards[axis] > 0.0), point)
+/// How a line comes to a face pushed out by the radius.
+pub(super) enum Landing {
+    /// Over the face itself.
+    Over { fraction: f64 },
+    /// Beyond its rim, and furthest beyond this edge.
+    Beyond { edge: u32 },
+    /// From behind.
+    Behind,
 }
 
-/// Where the line comes through a face pushed out by the radius, if it does so over the face.
-pub(super) fn over(cast: &Cast, face: u32) -> Option<f64> {
-    let (normal, offset) = cast.polytope.face_map().plane(face);
+/// How the line comes to a face, of whose rim `but` is left out.
+#[inline]
+pub(super) fn landing(cast: &Cast, face: u32, but: Option<u32>) -> Landing {
+    let polytope = cast.polytope;
+    let (normal, offset) = polytope.face_map().plane(face);
     let line = &cast.line;
     let rate = normal.dot(line.direction);
     // False for NaN too.
     let towards = rate < 0.0;
     if !towards {
-        return None;
+        return Landing::Behind;
     }
     let fraction = (offset + cast.radius - normal.dot(line.origin)) / rate;
     let point = line.origin + fraction * line.direction;
-    let vertices = cast.polytope.vertices();
-    let inside = |edge: &u32| {
-        let edge = &cast.polytope.edges()[*edge as usize];
-        let [from, to]: [DVec3; 2] = edge.vertices.map(|v| vertices[v as usize]);
-        let inwards = normal.cross(to - from).dot(point - from);
-        if edge.faces[0] == face {
-            inwards >= 0.0
+    let map = polytope.edge_map();
+    let (mut over, mut lowest, mut beyond) = (true, f64::INFINITY, None);
+    for side in polytope.face_map().sides(face) {
+        let number = side.edge;
+        let edge = map.line(number);
+        let across = normal.cross(edge.along).dot(point - edge.from);
+        let inwards = if edge.faces[0] == face {
+            across
         } else {
-            inwards <= 0.0
+            -across
+        };
+        over &= inwards >= 0.0;
+        if inwards < lowest && Some(number) != but {
+            (lowest, beyond) = (inwards, Some(number));
         }
-    };
-    let rim = cast.polytope.edge_map().around_face(face);
-    rim.iter().all(inside).then_some(fraction)
+    }
+    match beyond {
+        Some(edge) if !over => Landing::Beyond { edge },
+        _ => Landing::Over { fraction },
+    }
 }

@@ -1,51 +1,39 @@
 //! A ball cast at a triangle: a line against a slab with rounded edges.
 
-use super::ball_capsule::{Meeting, Place, meet};
+use super::ball_capsule::{Place, meet};
 use super::ball_line::{Line, Touch};
 use crate::geometry::{Feature, Triangle};
 use glam::DVec3;
 
 /// The first of what the rounded triangle is made of: the prism over it and three capsules.
 pub(super) fn of_triangle(line: &Line, triangle: &Triangle, radius: f64) -> Option<Touch> {
-    let vertices = triangle.vertices();
-    let mut first: Option<(Meeting, usize)> = None;
-    let mut leave = f64::NEG_INFINITY;
-    let top = over_face(line, triangle, radius);
-    let under = over_face(&line.reversed(), triangle, radius);
-    if let Some(under) = &under {
-        leave = -under.enter;
+    let vertices @ [a, b, c] = triangle.vertices();
+    // A sphere around all three; no matter that a smaller one might do.
+    let centre = a + ((b - a) + (c - a)) / 3.0;
+    let squares = vertices.map(|vertex| vertex.distance_squared(centre));
+    let around = squares[0].max(squares[1]).max(squares[2]).sqrt();
+    let slack = line.slack(centre.abs().max_element() + around + radius);
+    if line.passes_by(line.origin - centre, around + radius + 8.0 * slack) {
+        return None;
     }
-    if top.is_none() || under.is_none() {
-        for index in 0..3 {
-            let meeting = meet(line, vertices[index], vertices[(index + 1) % 3], radius);
-            if meeting.hit {
-                leave = leave.max(meeting.leave);
-            }
-            if (first.as_ref()).is_none_or(|(before, _)| meeting.before(before)) {
-                first = Some((meeting, index));
-            }
-        }
+    if let Some(top) = over_face(line, triangle, radius) {
+        return Some(top);
     }
-    if let Some(top) = top {
-        return Some(Touch { leave, ..top });
+    let edges = [(a, b), (b, c), (c, a)];
+    let meetings = edges.map(|(from, to)| meet(line, from, to - from, radius));
+    let mut index = usize::from(meetings[1].before(&meetings[0]));
+    if meetings[2].before(&meetings[index]) {
+        index = 2;
     }
-    let (meeting, index) = first?;
-    let size = vertices
-        .into_iter()
-        .map(|vertex| vertex.abs().max_element())
-        .fold(radius, f64::max);
-    if !meeting.hit {
-        let reach = radius + line.slack(size);
-        if meeting.rank > reach * reach {
-            return None;
-        }
-        leave = leave.max(meeting.fraction);
+    let (meeting, (from, to)) = (meetings[index], edges[index]);
+    let reach = radius + slack;
+    if !meeting.hit && meeting.rank > reach * reach {
+        return None;
     }
     let (foot, feature) = match meeting.place {
         Place::Inner => {
-            let (from, to) = (vertices[index], vertices[(index + 1) % 3]);
             let point = line.origin + meeting.fraction * line.direction;
-            (foot_on(from, to, point), Feature::Edge(index as u32))
+            (foot_on(from, to - from, point), Feature::Edge(index as u32))
         }
         Place::End(end) => {
             let vertex = (index + end) % 3;
@@ -53,8 +41,7 @@ pub(super) fn of_triangle(line: &Line, triangle: &Triangle, radius: f64) -> Opti
         }
     };
     Some(Touch {
-        enter: meeting.fraction,
-        leave,
+        fraction: meeting.fraction,
         foot,
         normal: meeting.away.normalize_or(triangle.normal()),
         feature,
@@ -74,24 +61,23 @@ fn over_face(line: &Line, triangle: &Triangle, radius: f64) -> Option<Touch> {
     if rate == 0.0 {
         return None;
     }
-    let enter = (radius - normal.dot(line.origin - vertices[0])) / -rate.abs();
-    let point = line.origin + enter * line.direction;
+    let fraction = (radius - normal.dot(line.origin - vertices[0])) / -rate.abs();
+    let point = line.origin + fraction * line.direction;
     let inside = (0..3).all(|index| {
         let (from, to) = (vertices[index], vertices[(index + 1) % 3]);
         triangle.normal().cross(to - from).dot(point - from) >= 0.0
     });
     inside.then(|| Touch {
-        enter,
-        leave: enter,
+        fraction,
         foot: point - radius * normal,
         normal,
         feature: Feature::Face(side),
     })
 }
 
-/// The point of a segment nearest to another.
-pub(super) fn foot_on(from: DVec3, to: DVec3, point: DVec3) -> DVec3 {
-    let along = to - from;
+/// The point nearest to another on the segment that begins at `from` and leads `along`.
+#[inline]
+pub(super) fn foot_on(from: DVec3, along: DVec3, point: DVec3) -> DVec3 {
     let share = (point - from).dot(along) / along.length_squared();
     from + share.clamp(0.0, 1.0) * along
 }

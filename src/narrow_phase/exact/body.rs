@@ -7,6 +7,7 @@ use glam::{DMat3, DQuat, DVec3};
 ///
 /// Vertices are turned around the shape's centre, so that a shape that lies
 /// far from its own origin is moved by rounding, not bent.
+#[derive(Clone, Copy)]
 pub(super) struct Body<'a> {
     pub(super) shape: &'a Shape,
     /// From the shape's frame to the world's axes.

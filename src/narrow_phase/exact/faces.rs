@@ -7,7 +7,7 @@
 
 use super::body::Body;
 use super::edges::edge_normal;
-use super::pair::{Ends, Pair};
+use super::pair::Pair;
 use super::slab::Slabs;
 use glam::DVec3;
 
@@ -18,11 +18,12 @@ const CROSSING: f64 = 1e-12;
 /// Pairs of edges up to which all are tried, crossing or not: cheaper than the test.
 const FEW: usize = 40;
 
-/// How two bodies enter and leave each other.
+/// The unit normal of the face of B ⊕ (−A) that A runs into, and when, in scaled motions from
+/// where the two are nearest.
 ///
 /// Right for flat differences too. O((f + c) · s + e²) for f faces, e edges, c
 /// faces spanned by edges, and s for a support.
-pub(super) fn ends(pair: &Pair) -> Option<Ends> {
+pub(super) fn entry(pair: &Pair) -> Option<(DVec3, f64)> {
     let mut slabs = Slabs::new();
     for (body, sign) in [(&pair.a, -1.0), (&pair.b, 1.0)] {
         for face in 0..body.face_count() {
@@ -56,9 +57,9 @@ pub(super) fn ends(pair: &Pair) -> Option<Ends> {
     if slabs.miss() {
         return None;
     }
-    let enter = (slabs.enter_by?, slabs.enter);
-    let leave = (slabs.leave_by?, slabs.leave);
-    Some(Ends::new(pair, enter, leave))
+    let normal = slabs.enter_by?;
+    let against = -1.0_f64.copysign(normal.dot(pair.motion));
+    Some((against * normal, slabs.enter))
 }
 
 /// Measures the plane across a direction.

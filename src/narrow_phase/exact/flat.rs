@@ -1,10 +1,11 @@
 //! Straight casts between shapes with flat faces.
 
+use super::boxes::{self, Swept};
 use super::crossing::{Crossing, Touching};
-use super::pair::{Ends, Pair, STEEP};
-use super::portal::{Found, Portal, Shadow};
+use super::faces;
+use super::pair::Pair;
+use super::portal::{Found, Probe, Shadow};
 use super::snap::{Place, Touch};
-use super::{boxes, faces};
 use crate::geometry::Shape;
 use glam::{DQuat, DVec3};
 
@@ -68,102 +69,172 @@ pub fn flat_crossing(
     between: DVec3,
     motion: DVec3,
 ) -> Option<Crossing> {
-    let scale = motion.abs().max_element();
-    if !(scale > 0.0 && motion.is_finite() && between.is_finite()) {
-        return None;
-    }
-    // Dividing by a subnormal number need not end at 1.
-    let motion = motion / scale;
-    if !motion.is_finite() {
-        return None;
-    }
-    let (a, b) = ((a, orientation_a), (b, orientation_b));
-    // Each pair is looked at from one side only, so that exchanging the shapes changes nothing.
-    let leading = motion.to_array().into_iter().find(|&x| x != 0.0)?;
-    let swapped = leading < 0.0;
-    let pair = if swapped {
-        Pair::new(b, a, -between, -motion)?
-    } else {
-        Pair::new(a, b, between, motion)?
-    };
-    let (touch, leave) = cross(&pair)?;
-    let Touch {
-        time,
-        mut normal,
-        mut features,
-        point,
-        certain: _,
-    } = touch;
-    // From the centre of one of the pair's bodies to the position of B.
-    let (of_b, offset) = match point {
-        Place::OnA(offset) => (swapped, offset + pair.a.rotation * pair.a.centre),
-        Place::OnB(offset) => (!swapped, offset + pair.b.rotation * pair.b.centre),
-    };
-    let point = if of_b {
-        offset
-    } else {
-        offset + (between + time * motion)
-    };
-    if swapped {
-        normal = -normal;
-        features.reverse();
-    }
-    let fraction = |time: f64| (time / scale).clamp(f64::MIN, f64::MAX);
+    let cast = Cast::new((a, orientation_a), (b, orientation_b), between, motion)?;
+    let found = touch(&cast.pair)?;
+    // The touch when all runs backwards. Of a graze rounding may lose one end.
+    let last = touch(&cast.pair.reversed());
+    let leave = last.map_or(found.time, |last| found.time.max(-last.time));
     Some(Crossing {
-        enter: Touching {
-            fraction: fraction(time),
-            point,
-            normal,
-            features,
-        },
-        leave: fraction(leave.max(time)),
+        leave: cast.fraction(leave),
+        enter: cast.touching(found),
     })
 }
 
-/// The touch, and the time of parting.
-fn cross(pair: &Pair) -> Option<(Touch, f64)> {
+/// How `a`, moving straight past `b`, comes to touch it: the entry of [`flat_crossing`], to the
+/// last bit, without the exit.
+///
+/// ```
+/// use feeler::narrow_phase::exact::flat_touch;
+/// use feeler::{Cuboid, Shape};
+/// use glam::{DQuat, DVec3};
+///
+/// let cube = Shape::from(Cuboid::new([0.5, 0.5, 0.5])?);
+/// let turned = DQuat::from_rotation_z(0.5);
+/// let cast = |motion| {
+///     flat_touch(&cube, turned, &cube, DQuat::IDENTITY, DVec3::new(5.0, 0.0, 0.0), motion)
+/// };
+/// assert!(cast(DVec3::new(-8.0, 0.0, 0.0)).is_some_and(|touch| touch.fraction < 0.5));
+/// assert!(cast(DVec3::Z).is_none());
+/// # Ok::<(), feeler::ShapeError>(())
+/// ```
+#[must_use]
+pub fn flat_touch(
+    a: &Shape,
+    orientation_a: DQuat,
+    b: &Shape,
+    orientation_b: DQuat,
+    between: DVec3,
+    motion: DVec3,
+) -> Option<Touching> {
+    let cast = Cast::new((a, orientation_a), (b, orientation_b), between, motion)?;
+    let touch = touch(&cast.pair)?;
+    Some(cast.touching(touch))
+}
+
+/// A pair as it was given, and as it is looked at.
+struct Cast<'a> {
+    /// Each pair is looked at from one side only, so that exchanging the shapes changes nothing.
+    pair: Pair<'a>,
+    swapped: bool,
+    between: DVec3,
+    /// What `pair` counts in.
+    motion: DVec3,
+    scale: f64,
+}
+
+impl<'a> Cast<'a> {
+    #[inline]
+    fn new(
+        a: (&'a Shape, DQuat),
+        b: (&'a Shape, DQuat),
+        between: DVec3,
+        motion: DVec3,
+    ) -> Option<Self> {
+        let scale = motion.abs().max_element();
+        if !(scale > 0.0 && motion.is_finite() && between.is_finite()) {
+            return None;
+        }
+        // Dividing by a subnormal number need not end at 1.
+        let motion = motion / scale;
+        if !motion.is_finite() {
+            return None;
+        }
+        let leading = motion.to_array().into_iter().find(|&x| x != 0.0)?;
+        let swapped = leading < 0.0;
+        let pair = if swapped {
+            Pair::new(b, a, -between, -motion)?
+        } else {
+            Pair::new(a, b, between, motion)?
+        };
+        Some(Self {
+            pair,
+            swapped,
+            between,
+            motion,
+            scale,
+        })
+    }
+
+    #[inline]
+    fn fraction(&self, time: f64) -> f64 {
+        (time / self.scale).clamp(f64::MIN, f64::MAX)
+    }
+
+    #[inline]
+    fn touching(&self, touch: Touch) -> Touching {
+        let Touch {
+            time,
+            normal,
+            features: [first, second],
+            point,
+            certain: _,
+        } = touch;
+        let (pair, swapped) = (&self.pair, self.swapped);
+        // From the centre of one of the pair's bodies to the position of B.
+        let (of_b, offset) = match point {
+            Place::OnA(offset) => (swapped, offset + pair.a.rotation * pair.a.centre),
+            Place::OnB(offset) => (!swapped, offset + pair.b.rotation * pair.b.centre),
+        };
+        let point = if of_b {
+            offset
+        } else {
+            offset + (self.between + time * self.motion)
+        };
+        let (normal, features) = if swapped {
+            (-normal, [second, first])
+        } else {
+            (normal, [first, second])
+        };
+        Touching {
+            fraction: self.fraction(time),
+            point,
+            normal,
+            features,
+        }
+    }
+}
+
+/// The touch.
+fn touch(pair: &Pair) -> Option<Touch> {
     if pair.spheres_miss() {
         return None;
     }
-    let Ends { enter, leave } = match (pair.a.shape, pair.b.shape) {
-        (Shape::Cuboid(a), Shape::Cuboid(b)) => boxes::ends(pair, a, b)?,
-        (Shape::Polytope(_), _) | (_, Shape::Polytope(_)) => match by_portals(pair) {
-            Found::Miss => return None,
-            Found::Yes(found) => return Some(found),
-            Found::Unclear => faces::ends(pair)?,
-        },
-        _ => faces::ends(pair)?,
+    if let (Shape::Cuboid(a), Shape::Cuboid(b)) = (pair.a.shape, pair.b.shape) {
+        return match boxes::touch(pair, a, b) {
+            Swept::Touch(touch) => Some(touch),
+            Swept::Miss => None,
+            Swept::Unclear(normal, time) => Some(careful(pair, normal, time)),
+        };
+    }
+    let mut shadow = Shadow::new(pair);
+    let found = match shadow.enclose() {
+        Found::Yes(probes) => entry(&mut shadow, probes),
+        Found::Miss => return None,
+        Found::Unclear => None,
     };
-    let (normal, time) = enter;
-    let touch = pair.touch(normal, pair.time(normal, time), [pair.supports(normal)]);
-    Some((touch, pair.time(leave.0, leave.1)))
+    found.or_else(|| {
+        let (normal, time) = faces::entry(pair)?;
+        Some(careful(pair, normal, time))
+    })
 }
 
-fn by_portals(pair: &Pair) -> Found<(Touch, f64)> {
-    let Some(mut shadow) = Shadow::new(pair) else {
-        return Found::Unclear;
-    };
-    let probes = match shadow.enclose() {
-        Found::Yes(probes) => probes,
-        Found::Miss => return Found::Miss,
-        Found::Unclear => return Found::Unclear,
-    };
-    let (Some(enter), Some(leave)) = (shadow.refine(probes, -1.0), shadow.refine(probes, 1.0))
-    else {
-        return Found::Unclear;
-    };
-    let length = pair.motion.length();
-    let time = |portal: &Portal| pair.nearest_distance + portal.distance / length;
-    let [p, q, r] = enter.probes.map(|probe| probe.vertices);
-    let touch = pair.touch(enter.normal, time(&enter), [enter.vertices, p, q, r]);
-    if !touch.certain {
-        return Found::Unclear;
+/// The touch by a normal and a time that are right but for rounding.
+fn careful(pair: &Pair, normal: DVec3, time: f64) -> Touch {
+    pair.touch(normal, pair.time(normal, time), [pair.supports(normal)])
+}
+
+/// The touch from three points around the ray.
+fn entry(shadow: &mut Shadow, probes: [Probe; 3]) -> Option<Touch> {
+    let portal = shadow.refine(probes)?;
+    if let Some(touch) = shadow.settle(&portal) {
+        return Some(touch);
     }
-    let speed = leave.normal.dot(pair.motion);
-    let leave = if speed > STEEP {
-        pair.height(leave.normal, leave.vertices) / speed
-    } else {
-        time(&leave)
-    };
-    Found::Yes((touch, leave))
+    let pair = shadow.pair;
+    let [p, q, r] = portal.probes.map(|probe| probe.vertices);
+    let touch = pair.touch(
+        pair.b.rotation * portal.normal,
+        pair.nearest_distance + portal.time,
+        [portal.vertices, p, q, r],
+    );
+    touch.certain.then_some(touch)
 }

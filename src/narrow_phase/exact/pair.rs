@@ -12,6 +12,7 @@ pub(super) const STEEP: f64 = 0.1;
 ///
 /// Distances along the motion count in scaled motions: the largest component
 /// of `motion` is 1, so that neither 1e-300 m nor 1e300 m overflows.
+#[derive(Clone, Copy)]
 pub(super) struct Pair<'a> {
     pub(super) a: Body<'a>,
     pub(super) b: Body<'a>,
@@ -54,6 +55,15 @@ impl<'a> Pair<'a> {
         })
     }
 
+    /// The same with time running backwards.
+    pub(super) fn reversed(&self) -> Self {
+        Self {
+            motion: -self.motion,
+            nearest_distance: -self.nearest_distance,
+            ..*self
+        }
+    }
+
     /// Whether the bounding spheres pass each other by.
     pub(super) fn spheres_miss(&self) -> bool {
         let reach = self.size + self.rounding;
@@ -85,23 +95,6 @@ impl<'a> Pair<'a> {
             self.height(normal, self.supports(normal)) / speed
         } else {
             self.nearest_distance + cautious
-        }
-    }
-}
-
-/// Both ends of a crossing: unit normals out of the difference, and cautious times.
-pub(super) struct Ends {
-    pub(super) enter: (DVec3, f64),
-    pub(super) leave: (DVec3, f64),
-}
-
-impl Ends {
-    /// From normals up to their signs: the motion leads in by one and out by the other.
-    pub(super) fn new(pair: &Pair, enter: (DVec3, f64), leave: (DVec3, f64)) -> Self {
-        let along = |normal: DVec3| 1.0_f64.copysign(normal.dot(pair.motion));
-        Self {
-            enter: (-along(enter.0) * enter.0, enter.1),
-            leave: (along(leave.0) * leave.0, leave.1),
         }
     }
 }

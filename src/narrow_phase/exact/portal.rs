@@ -6,9 +6,9 @@
 //! Source: Snethen, *XenoCollide* (2008), with the ray's own direction in place of
 //! the one to the origin.
 
+use super::extremes::Extremes;
 use super::pair::Pair;
-use crate::math::frame::orthonormal;
-use glam::{DMat3, DVec2, DVec3, Vec3Swizzles};
+use glam::{DMat3, DVec3};
 
 /// By how many times its rounding the ray is shifted so that it meets no vertex or
 /// edge exactly.
@@ -18,24 +18,29 @@ use glam::{DMat3, DVec2, DVec3, Vec3Swizzles};
 /// more coarsely.
 const SHIFT: f64 = 8.0;
 
+/// Which way: any does that is not among a scene's own directions.
+const ASIDE: DVec3 = DVec3::new(0.837, -0.547, 0.393);
+
 /// Support calls before a search gives up. Random hulls of 1000 vertices take about
 /// fifteen.
 const MAX_STEPS: usize = 100;
 
-/// The point of the difference that two vertices make, seen along the ray: the ray
-/// is the z axis.
+/// The point of the difference that two vertices make, seen from the ray's middle.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Probe {
     pub(super) vertices: [u32; 2],
     pub(super) point: DVec3,
+    /// What of it is across the ray. Where this is short, on a face that the ray glides
+    /// along, the point itself would drown it in rounding.
+    across: DVec3,
 }
 
-/// Where the ray enters or leaves: three points around it, and the normal of their plane.
+/// Where the ray enters: three points around it, and the normal of their plane.
 pub(super) struct Portal {
     pub(super) probes: [Probe; 3],
-    /// Where the ray meets it, in metres from the middle.
-    pub(super) distance: f64,
-    /// Unit vector along the world's axes, out of the difference.
+    /// When the ray meets it, in scaled motions from where the bodies are nearest.
+    pub(super) time: f64,
+    /// Unit vector in B's frame, out of the difference.
     pub(super) normal: DVec3,
     /// Farthest vertices of A against the normal and of B along it.
     pub(super) vertices: [u32; 2],
@@ -50,105 +55,133 @@ pub(super) enum Found<T> {
     Unclear,
 }
 
-/// The ray and the difference in the ray's frame.
+/// The ray and the difference in B's frame.
 pub(super) struct Shadow<'a> {
-    pair: &'a Pair<'a>,
-    /// From the ray's frame to the world's axes.
-    frame: DMat3,
-    /// From the shapes' frames to the ray's.
-    from_a: DMat3,
-    from_b: DMat3,
-    /// Where the ray runs, seen from the difference's middle.
-    ray: DVec2,
+    pub(super) pair: &'a Pair<'a>,
+    /// From A's frame to B's.
+    pub(super) turn: DMat3,
+    /// The scaled motion.
+    pub(super) along: DVec3,
+    /// One by its length squared.
+    per_square: f64,
+    /// From B's centre to A's where they are nearest.
+    pub(super) nearest: DVec3,
+    /// The same, moved aside by a hair.
+    ray: DVec3,
     /// Up to this distance in metres what passes by counts as touching.
     shift: f64,
+    a: Extremes<'a>,
+    b: Extremes<'a>,
 }
 
 impl<'a> Shadow<'a> {
-    /// None if the motion has no direction.
-    pub(super) fn new(pair: &'a Pair) -> Option<Self> {
-        let along = pair.motion.try_normalize()?;
-        let (x, y) = orthonormal(along);
-        let frame = DMat3::from_cols(x, y, along);
-        let to_ray = frame.transpose();
+    #[inline]
+    pub(super) fn new(pair: &'a Pair) -> Self {
+        let to_b = pair.b.rotation.transpose();
+        let turn = to_b * pair.a.rotation;
         let shift = SHIFT * pair.rounding;
-        // Any direction does that is not among a scene's own.
-        let ray = (to_ray * pair.nearest).xy() + 0.25 * shift * DVec2::new(0.837, -0.547);
-        Some(Self {
+        let nearest = to_b * pair.nearest;
+        let along = to_b * pair.motion;
+        Self {
             pair,
-            from_a: to_ray * pair.a.rotation,
-            from_b: to_ray * pair.b.rotation,
-            frame,
-            ray,
+            turn,
+            along,
+            per_square: 1.0 / along.length_squared(),
+            nearest,
+            ray: nearest + 0.25 * shift * ASIDE,
             shift,
-        })
+            a: Extremes::new(&pair.a, &turn),
+            b: Extremes::new(&pair.b, &DMat3::IDENTITY),
+        }
+    }
+
+    #[inline]
+    fn probe(&self, (vertex_a, point_a): (u32, DVec3), (vertex_b, point_b): (u32, DVec3)) -> Probe {
+        let point = (point_b - point_a) - self.ray;
+        Probe {
+            vertices: [vertex_a, vertex_b],
+            point,
+            across: point - (point.dot(self.along) * self.per_square) * self.along,
+        }
     }
 
     /// The difference's farthest point along a direction of any length.
     #[inline]
-    fn support(&self, direction: DVec3) -> Probe {
-        let Pair { a, b, .. } = self.pair;
-        let vertex_a = a.support_local(self.from_a.transpose() * -direction);
-        let vertex_b = b.support_local(self.from_b.transpose() * direction);
-        let point = self.from_b * b.local(vertex_b) - self.from_a * a.local(vertex_a);
-        Probe {
-            vertices: [vertex_a, vertex_b],
-            point: point - self.ray.extend(0.0),
-        }
+    fn support(&mut self, direction: DVec3) -> Probe {
+        let (a, b) = (self.a.farthest(-direction), self.b.farthest(direction));
+        self.probe(a, b)
     }
 
-    /// Three points of the difference around the ray, counter-clockwise.
+    /// The same for a direction near that of the last call.
+    #[inline]
+    fn support_nearby(&mut self, direction: DVec3) -> Probe {
+        let a = self.a.farthest_nearby(-direction);
+        let b = self.b.farthest_nearby(direction);
+        self.probe(a, b)
+    }
+
+    /// Three points of the difference around the ray, counter-clockwise seen against it.
     ///
     /// Leads a line of two points towards the ray until a third encloses it, as
     /// Gilbert, Johnson and Keerthi do; every support is a test whether
     /// the ray passes by. A ray that touches the shadow to within rounding is
     /// moved in.
     pub(super) fn enclose(&mut self) -> Found<[Probe; 3]> {
-        let mut towards = if self.ray == DVec2::ZERO {
-            DVec2::X
-        } else {
-            self.ray
-        };
+        let along = self.along;
+        // Across the ray to the left of a step, as long as the step is across the ray.
+        let left = |step: DVec3| along.cross(step);
+        let across = |direction: DVec3| direction - direction.project_onto(along);
+        let mut towards = across(self.ray);
+        if towards == DVec3::ZERO {
+            towards = across(ASIDE);
+        }
         let mut simplex: [Option<Probe>; 2] = [None, None];
+        let mut moved = false;
         for _ in 0..MAX_STEPS {
-            let probe = self.support(towards.extend(0.0));
-            let reach = probe.point.xy().dot(towards);
+            let probe = self.support(towards);
+            let new = probe.across;
+            let reach = new.dot(towards);
             if reach < 0.0 {
                 let length = towards.length();
                 if -reach > self.shift * length {
-                    return Found::Miss;
+                    // Moved in, the ray may have gone through a flat shadow and out again.
+                    return if moved { Found::Unclear } else { Found::Miss };
                 }
+                moved = true;
                 self.ray -= (2.0 * self.shift / length) * towards;
                 simplex = [None, None];
                 continue;
             }
-            let new = probe.point.xy();
             match simplex {
                 [Some(from), Some(to)] => {
-                    let (p, q) = (from.point.xy(), to.point.xy());
+                    if from.vertices == probe.vertices || to.vertices == probe.vertices {
+                        return Found::Unclear;
+                    }
                     // The ray lies to the right of the line from p to q, and so does the new point.
-                    let (before, after) = (p.perp_dot(new), new.perp_dot(q));
-                    if before >= 0.0 && after >= 0.0 && q.perp_dot(p) >= 0.0 {
+                    let (p, q) = (from.across, to.across);
+                    let side = left(new);
+                    let (before, after) = (-side.dot(p), side.dot(q));
+                    if before >= 0.0 && after >= 0.0 && left(q).dot(p) >= 0.0 {
                         return Found::Yes([from, probe, to]);
                     }
                     if before < after {
                         simplex = [Some(from), Some(probe)];
-                        towards = (new - p).perp() * -1.0;
+                        towards = -left(new - p);
                     } else {
                         simplex = [Some(probe), Some(to)];
-                        towards = (q - new).perp() * -1.0;
+                        towards = -left(q - new);
                     }
                 }
                 [Some(first), _] => {
-                    let old = first.point.xy();
-                    let across = (new - old).perp();
+                    let old = first.across;
+                    let side = left(new - old);
                     // Towards the ray: to the right of the line.
-                    if across.dot(old) >= 0.0 {
+                    if side.dot(old) >= 0.0 {
                         simplex = [Some(first), Some(probe)];
-                        towards = -across;
+                        towards = -side;
                     } else {
                         simplex = [Some(probe), Some(first)];
-                        towards = across;
+                        towards = side;
                     }
                 }
                 _ => {
@@ -156,67 +189,88 @@ impl<'a> Shadow<'a> {
                     towards = -new;
                 }
             }
-            if towards == DVec2::ZERO {
+            if towards == DVec3::ZERO {
                 return Found::Unclear;
             }
         }
         Found::Unclear
     }
 
-    /// The face that the ray enters by (`side` −1) or leaves by (`side` 1), from
-    /// three points around it.
-    pub(super) fn refine(&self, mut probes: [Probe; 3], side: f64) -> Option<Portal> {
+    /// The face that the ray enters by, from three points around it.
+    pub(super) fn refine(&mut self, mut probes: [Probe; 3]) -> Option<Portal> {
         let tolerance = 2.0 * self.pair.rounding;
+        let along = self.along;
         for _ in 0..MAX_STEPS {
             let [p, q, r] = probes.map(|probe| probe.point);
-            let normal = side * (q - p).cross(r - p);
-            let new = self.support(normal);
-            let reached = normal.dot(p).max(normal.dot(q)).max(normal.dot(r));
-            let gain = normal.dot(new.point) - reached;
-            let known = probes.iter().any(|probe| probe.vertices == new.vertices);
+            let normal = (r - p).cross(q - p);
+            let new = self.support_nearby(normal);
+            let heights = [normal.dot(p), normal.dot(q), normal.dot(r)];
+            let reached = heights[0].max(heights[1]).max(heights[2]);
+            let height = normal.dot(new.point);
             let length = normal.length();
-            if known || gain <= tolerance * length {
-                let lowest = normal.dot(p).min(normal.dot(q)).min(normal.dot(r));
-                let spread = normal.dot(new.point) - lowest;
+            let known = probes.iter().any(|probe| probe.vertices == new.vertices);
+            if known || height - reached <= tolerance * length {
+                let lowest = heights[0].min(heights[1]).min(heights[2]);
+                let against = normal.dot(along) < 0.0;
                 // The normal of a sliver is rounding; NaN gives up too.
-                if !(side * normal.z > 0.0 && spread <= 2.0 * tolerance * length) {
+                if !(against && height - lowest <= 2.0 * tolerance * length) {
                     return None;
                 }
                 return Some(Portal {
-                    distance: depth(&probes),
+                    time: time(&probes, along),
                     probes,
-                    normal: self.frame * (normal / length),
+                    normal: normal / length,
                     vertices: new.vertices,
                 });
             }
             // Which two of the three enclose the ray together with the new point?
-            let u = new.point.xy();
-            let sides = probes.map(|probe| u.perp_dot(probe.point.xy()));
+            let left = along.cross(new.across);
+            let flat = probes.map(|probe| probe.across);
+            let sides = flat.map(|point| left.dot(point));
             let mut best = (0.0, 3);
-            for i in 0..3 {
-                let j = (i + 1) % 3;
+            for (i, j) in [(0, 1), (1, 2), (2, 0)] {
                 if sides[i] >= 0.0 && sides[j] <= 0.0 {
-                    let area =
-                        sides[i] - sides[j] + probes[i].point.xy().perp_dot(probes[j].point.xy());
+                    let edge = along.dot(flat[i].cross(flat[j]));
+                    let area = sides[i] - sides[j] + edge;
                     if area > best.0 {
                         best = (area, i);
                     }
                 }
             }
-            let (_, i) = best;
-            if i == 3 {
-                return None;
-            }
-            probes = [probes[i], probes[(i + 1) % 3], new];
+            probes = match best.1 {
+                0 => [probes[0], probes[1], new],
+                1 => [probes[1], probes[2], new],
+                2 => [probes[2], probes[0], new],
+                _ => return None,
+            };
         }
         None
     }
 }
 
-/// Where the ray goes through the triangle of three points around it.
-fn depth(probes: &[Probe; 3]) -> f64 {
-    let [p, q, r] = probes.map(|probe| probe.point);
-    let shares = [(q, r), (r, p), (p, q)].map(|(u, v)| u.xy().perp_dot(v.xy()).max(0.0));
-    let whole: f64 = shares.iter().sum();
-    (shares[0] * p.z + shares[1] * q.z + shares[2] * r.z) / whole
+/// When the ray goes through the triangle of three points around it.
+///
+/// On a face that the ray glides along the triangle is a needle, of whose areas little but
+/// rounding is left; so the place along its longest edge is a matter of lengths.
+fn time(probes: &[Probe; 3], along: DVec3) -> f64 {
+    let flat = probes.map(|probe| probe.across);
+    let length = |i: usize, j: usize| flat[i].distance_squared(flat[j]);
+    let lengths = [length(0, 1), length(1, 2), length(2, 0)];
+    let [p, q, r] = if lengths[0] >= lengths[1] && lengths[0] >= lengths[2] {
+        [probes[0], probes[1], probes[2]]
+    } else if lengths[1] >= lengths[2] {
+        [probes[1], probes[2], probes[0]]
+    } else {
+        [probes[2], probes[0], probes[1]]
+    };
+    let edge = q.across - p.across;
+    let per_square = 1.0 / edge.length_squared();
+    let (start, rise) = (p.point.dot(along), (q.point - p.point).dot(along));
+    let height = |step: DVec3| start + step.dot(edge) * per_square * rise;
+    // The ray's share of the way from the edge to the third point.
+    let left = along.cross(edge);
+    let third = r.across - p.across;
+    let share = (-left.dot(p.across) / left.dot(third)).clamp(0.0, 1.0);
+    let beyond = r.point.dot(along) - height(third);
+    (height(-p.across) + share * beyond) / along.length_squared()
 }

@@ -9,9 +9,8 @@
 pub(super) struct Slabs<T> {
     pub(super) enter: f64,
     pub(super) leave: f64,
-    /// Who gave the entry and the exit.
+    /// Who gave the entry.
     pub(super) enter_by: Option<T>,
-    pub(super) leave_by: Option<T>,
 }
 
 impl<T: Copy> Slabs<T> {
@@ -20,7 +19,6 @@ impl<T: Copy> Slabs<T> {
             enter: f64::NEG_INFINITY,
             leave: f64::INFINITY,
             enter_by: None,
-            leave_by: None,
         }
     }
 
@@ -34,7 +32,7 @@ impl<T: Copy> Slabs<T> {
         let per_speed = 1.0 / speed.abs();
         let height = if speed < 0.0 { -height } else { height };
         self.enter_at((-reach - height) * per_speed, by);
-        self.leave_at((reach - height) * per_speed, by);
+        self.leave_at((reach - height) * per_speed);
     }
 
     /// The half-space in which the point lies `depth` deep and sinks by `speed`.
@@ -43,7 +41,7 @@ impl<T: Copy> Slabs<T> {
         if speed > 0.0 {
             self.enter_at(-depth / speed, by);
         } else if speed < 0.0 {
-            self.leave_at(depth / -speed, by);
+            self.leave_at(depth / -speed);
         } else if depth < 0.0 {
             self.enter = f64::INFINITY;
         }
@@ -58,10 +56,9 @@ impl<T: Copy> Slabs<T> {
     }
 
     #[inline]
-    fn leave_at(&mut self, time: f64, by: T) {
+    fn leave_at(&mut self, time: f64) {
         if time < self.leave {
             self.leave = time;
-            self.leave_by = Some(by);
         }
     }
 

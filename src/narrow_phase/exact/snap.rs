@@ -14,7 +14,7 @@ use glam::{DVec2, DVec3};
 /// A normal computed from two features is right to some 1e-15; the margin leaves
 /// room for shapes whose own numbers were rounded. Larger, and an edge
 /// turned by a hair from a face is taken for part of it.
-const FEATURE: f64 = 1e-12;
+pub(super) const FEATURE: f64 = 1e-12;
 
 /// Up to this many vertices are all looked at; of more, only those around the farthest.
 const FEW: usize = 24;
@@ -116,7 +116,7 @@ impl Pair<'_> {
     }
 
     /// By how much heights that should be equal may differ, in metres.
-    fn doubt(&self) -> f64 {
+    pub(super) fn doubt(&self) -> f64 {
         64.0 * (self.rounding + f64::EPSILON * self.offset.abs().max_element())
     }
 
