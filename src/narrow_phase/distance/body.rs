@@ -145,6 +145,24 @@ impl<'a> Body<'a> {
         farthest
     }
 
+    /// Whether the core holds a point, told from its centre; a triangle holds none.
+    pub(super) fn holds(&self, point: DVec3) -> bool {
+        match self.shape {
+            Shape::Sphere(_) | Shape::Triangle(_) => false,
+            Shape::Cuboid(cuboid) => {
+                let squares = cuboid.half_extents() * cuboid.half_extents();
+                // Columns are as long as half-extents.
+                self.along_axes(point).abs().cmplt(squares).all()
+            }
+            Shape::Polytope(polytope) => {
+                let local = self.centre + self.along_axes(point);
+                (polytope.face_normals().iter())
+                    .zip(polytope.face_offsets())
+                    .all(|(normal, &offset)| normal.dot(local) < offset)
+            }
+        }
+    }
+
     pub(super) fn vertex_count(&self) -> u32 {
         match self.shape {
             Shape::Sphere(_) => 1,

@@ -9,6 +9,7 @@
 mod body;
 mod enumerate;
 mod feature;
+mod frame;
 mod separator;
 mod simplex;
 
@@ -121,10 +122,7 @@ impl Separator<'_> {
             End::Touching => return None,
             End::Settled(found) => found,
             End::Stalled(found) if self.is_proven(between, &found) => found,
-            End::Stalled(found) => {
-                let apart = found.separation.gap > self.rounding(between);
-                self.enumerated(between, apart)?
-            }
+            End::Stalled(found) => self.enumerated(between, &found)?,
         };
         let simplex = self.kept(self.offset(between));
         let normal = nearest.normalize_or_zero();
@@ -164,22 +162,21 @@ impl Separator<'_> {
         found.separation.distance - gap <= STALLED * (self.a.size + self.b.size)
     }
 
-    /// The nearest of all pairs of features, whose vertices are kept, of bodies known to be
-    /// `apart` or not.
-    fn enumerated(&mut self, between: DVec3, apart: bool) -> Option<Found> {
-        let offset = self.offset(between);
-        let (simplex, nearest) = enumerate::nearest(self, offset)?;
+    /// The nearest of all pairs of features, whose vertices are kept; none if the bodies touch.
+    ///
+    /// `found` is where the search stalled.
+    fn enumerated(&mut self, between: DVec3, found: &Found) -> Option<Found> {
+        let (offset, rounding) = (self.offset(between), self.rounding(between));
+        let (simplex, nearest) = enumerate::nearest(self, offset, found, rounding)?;
         let height = nearest.square.sqrt();
         let distance = height - self.radii();
         let normal = nearest.point / height;
-        let gap = self.gap(between, normal);
         self.keep(&simplex);
-        // Of bodies that overlap, the nearest features part nothing.
-        (distance > self.rounding(between) && (apart || gap > -distance)).then_some(Found {
+        (distance > rounding).then_some(Found {
             nearest: nearest.point,
             separation: Separation {
                 normal,
-                gap,
+                gap: self.gap(between, normal),
                 distance,
             },
         })

@@ -5,6 +5,7 @@
 //! body, never from those of points that are close by chance, so that they are as right
 //! for a gap of 1e-12 of the bodies' size as for a wide one.
 
+use super::frame::Frame;
 use glam::DVec3;
 
 /// Share of the longest edge below which a tetrahedron's height tells no sides apart.
@@ -13,7 +14,7 @@ use glam::DVec3;
 /// make. Higher only costs time.
 const FLAT: f64 = 1e-10;
 
-/// Squared sine of a triangle's angle below which a better corner is looked for.
+/// Squared sine of a triangle's angle below which its plane is laid by [`Frame`].
 const SHARP: f64 = 1e-3;
 
 /// What rounding does to a height over a triangle times its area, as a share of the lengths that
@@ -138,21 +139,12 @@ impl Simplex {
     #[inline]
     fn face(&self, i: usize, j: usize, k: usize) -> Nearest {
         let probe = &self.probes;
-        let (mut i, mut j, mut k) = (i, j, k);
-        let (mut to_j, mut to_k) = (probe[i].to(&probe[j]), probe[i].to(&probe[k]));
-        let mut normal = to_j.cross(to_k);
-        if normal.length_squared() < SHARP * to_j.length_squared() * to_k.length_squared() {
-            // The corner opposite to the longest edge gives the least rounded normal.
-            let across = probe[j].to(&probe[k]).length_squared();
-            if to_j.length_squared() > across.max(to_k.length_squared()) {
-                (i, j, k) = (k, i, j);
-            } else if to_k.length_squared() > across {
-                (i, j, k) = (j, k, i);
-            }
-            (to_j, to_k) = (probe[i].to(&probe[j]), probe[i].to(&probe[k]));
-            normal = to_j.cross(to_k);
-        }
+        let (to_j, to_k) = (probe[i].to(&probe[j]), probe[i].to(&probe[k]));
+        let normal = to_j.cross(to_k);
         let square = normal.length_squared();
+        if square < SHARP * to_j.length_squared() * to_k.length_squared() {
+            return self.sharp_face([i, j, k]);
+        }
         let from = probe[i].point;
         let of_j = normal.dot(to_k.cross(from));
         let of_k = normal.dot(from.cross(to_j));
@@ -166,6 +158,42 @@ impl Simplex {
                 square: height * height / square,
             };
         }
+        self.rim([i, j, k], [of_i, of_j, of_k])
+    }
+
+    /// The same of a thin triangle, whose edges' cross product is rounding.
+    #[cold]
+    fn sharp_face(&self, [i, j, k]: [usize; 3]) -> Nearest {
+        let probe = &self.probes;
+        // The longest edge leads from i to j.
+        let square = |from: usize, to: usize| probe[from].to(&probe[to]).length_squared();
+        let (ij, ik, jk) = (square(i, j), square(i, k), square(j, k));
+        let [i, j, k] = if ij >= ik && ij >= jk {
+            [i, j, k]
+        } else if ik >= jk {
+            [i, k, j]
+        } else {
+            [j, k, i]
+        };
+        let Some(frame) = Frame::new(probe[i].to(&probe[j]), probe[i].to(&probe[k])) else {
+            return self.rim([i, j, k], [0.0; 3]);
+        };
+        let from = probe[i].point;
+        let shares = frame.shares(-from);
+        if shares.iter().all(|&share| share > 0.0) {
+            let height = frame.normal.dot(from);
+            return Nearest {
+                corners: [i, j, k],
+                count: 3,
+                point: height * frame.normal,
+                square: height * height,
+            };
+        }
+        self.rim([i, j, k], shares)
+    }
+
+    /// The nearest edge of a triangle of those whose corner opposite has no share of the foot.
+    fn rim(&self, [i, j, k]: [usize; 3], [of_i, of_j, of_k]: [f64; 3]) -> Nearest {
         let mut best: Option<Nearest> = None;
         for (weight, [from, to]) in [(of_i, [j, k]), (of_j, [i, k]), (of_k, [i, j])] {
             if weight.is_nan() || weight <= 0.0 {
@@ -192,9 +220,12 @@ impl Simplex {
                 .max(to_k.length_squared())
                 .max(to_apex.length_squared());
             flat |= height * height <= FLAT * FLAT * normal.length_squared() * longest;
-            // Whether the origin lies within a sliver's plane, rounding of its normal tells.
+            // On which side of a sliver's plane a point lies, rounding of its normal tells.
             let spread = to_j.length_squared() * to_k.length_squared();
-            let doubt = ROUNDED * ROUNDED * spread * probe[i].point.length_squared();
+            let doubt = ROUNDED
+                * ROUNDED
+                * spread
+                * probe[i].point.length_squared().max(longest);
             *outside =
                 (origin * height).is_nan() || origin * height <= 0.0 || origin * origin <= doubt;
             within &= origin.abs() < height.abs();
