@@ -200,6 +200,44 @@ pub fn gap(a: &Body, b: &Body, normal: DVec3) -> f64 {
     bottom - top - a.radius - b.radius
 }
 
+/// The widest gap across any plane that may part two bodies: along the triangles' normals, across
+/// an edge of each, and along the span of their vertices. Negative if they overlap.
+pub fn widest_gap(a: &Body, b: &Body) -> f64 {
+    let mut widest = f64::MIN;
+    let mut show = |axis: DVec3| {
+        if let Some(axis) = axis.try_normalize() {
+            widest = widest.max(gap(a, b, axis)).max(gap(a, b, -axis));
+        }
+    };
+    for body in [a, b] {
+        for &[i, j, k] in &body.triangles {
+            let [i, j, k] = [i, j, k].map(|v| body.points[v]);
+            show(across(j - i, k - i));
+            for edge in [j - i, k - j, i - k] {
+                // In a triangle's plane.
+                show(edge.cross(across(j - i, k - i)));
+            }
+        }
+    }
+    for &[i, j] in &a.named {
+        for &[k, l] in &b.named {
+            let [u, v] = [a.points[j] - a.points[i], b.points[l] - b.points[k]];
+            show(across(u, v));
+        }
+    }
+    let nearest = nearest(a, b);
+    show(nearest.on_a - nearest.on_b);
+    widest
+}
+
+/// Across two directions, however nearly parallel.
+fn across(u: DVec3, v: DVec3) -> DVec3 {
+    let u = u.normalize();
+    let mut rest = v - v.dot(u) * u;
+    rest -= rest.dot(u) * u;
+    u.cross(rest.normalize_or_zero())
+}
+
 /// How far the farthest point along `direction` lies beyond the lowest of a feature's vertices,
 /// and how far `point` lies from the feature, if it has no area.
 pub fn feature(body: &Body, feature: Feature, direction: DVec3, point: DVec3) -> (f64, f64) {
