@@ -179,6 +179,27 @@ impl Case {
         Some(found)
     }
 
+    /// Checks that two points of the bodies are as far apart as the plane between them says: no other
+    /// distance can be right.
+    pub fn check_proof(&self, label: &str) -> ClosestPoints {
+        let (a, b) = self.bodies();
+        let exact = self.exact();
+        let Some(found) = self.closest() else {
+            panic!("{label}: no answer");
+        };
+        let gap = oracle::gap(&a, &b, found.normal);
+        let on_a = (self.pose_a.position - self.pose_b.position) + found.point_a;
+        let off = (on_a - found.point_b - found.distance * found.normal).length();
+        let off_a = oracle::from_surface(on_a, &a);
+        let off_b = oracle::from_surface(found.point_b, &b);
+        assert!(
+            gap >= found.distance - exact && off.max(off_a).max(off_b) <= exact,
+            "{label}: {gap:e} apart, off by {off:e} {off_a:e} {off_b:e}; {found:?}"
+        );
+        self.check_swap(label, &found);
+        found
+    }
+
     pub fn check_swap(&self, label: &str, found: &ClosestPoints) {
         let back = self.swapped().closest().unwrap();
         assert!(

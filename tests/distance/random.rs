@@ -1,7 +1,7 @@
 //! Random pairs against the oracle.
 
 use crate::case::*;
-use feeler::Pose;
+use feeler::{Polytope, Pose, Shape};
 use glam::{DQuat, DVec3};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
@@ -165,12 +165,72 @@ fn hulls_far_from_their_own_origin() {
     for index in 0..cases(60) {
         let away = log_uniform(&mut rng, 1.0, 1e6) * direction(&mut rng);
         let points: Vec<DVec3> = (0..12).map(|_| away + direction(&mut rng)).collect();
-        let a = feeler::Polytope::from_points(points).unwrap().into();
+        let a = Polytope::from_points(points).unwrap().into();
         let b = shape(&mut rng, index as usize % 4, 1.0, DVec3::ONE);
         let case = placed(&mut rng, a, b, DVec3::ZERO);
         // What the oracle turns around the far origin is rounded as far as that.
         let gap = log_uniform(&mut rng, 1e-8, 10.0);
         let label = format!("far hull {index}, {away}");
         assert!(case.with_gap(gap).check(&label).is_some(), "{label}");
+    }
+}
+
+/// Too many features for the oracle: the points and the plane across the normal are the proof.
+#[test]
+fn hulls_of_thousands_of_points() {
+    let mut rng = ChaCha8Rng::seed_from_u64(10);
+    for index in 0..cases(6) {
+        let count = [1000, 2000, 10_000][index as usize % 3];
+        let stretch = DVec3::new(1.0, log_uniform(&mut rng, 1e-6, 1.0), 1.0);
+        let a = hull(&mut rng, count, 1.0, stretch);
+        let other = [12, 1000][index as usize / 3 % 2];
+        let b = hull(&mut rng, other, 0.5, DVec3::ONE);
+        let mut start = placed(&mut rng, a, b, DVec3::ZERO);
+        let beside = index % 2 == 1;
+        if beside {
+            // Two of one shape, turned by a hair.
+            let hair =
+                DQuat::from_axis_angle(direction(&mut rng), log_uniform(&mut rng, 1e-16, 1e-3));
+            start.b = start.a.clone();
+            start.pose_b.orientation = (hair * start.pose_a.orientation).normalize();
+            start.pose_a.position = 2.5 * direction(&mut rng);
+            start.pose_b.position = DVec3::ZERO;
+        }
+        let first = start.check_proof(&format!("thousands {index}"));
+        for _ in 0..10 {
+            let gap = log_uniform(&mut rng, 1e-10, 1.0);
+            let case = start.moved((gap - first.distance) * first.normal);
+            let found = case.check_proof(&format!("thousands {index}, {gap:e}"));
+            assert!((found.distance - gap).abs() <= 2.0 * case.exact());
+        }
+    }
+}
+
+/// Their edges are parallel to within the share that the gap is of them: the plane between them is that of a
+/// sliver, whose cross product leaves its far end by more than the gap.
+#[test]
+fn edges_turned_by_no_more_than_the_gap() {
+    let mut rng = ChaCha8Rng::seed_from_u64(11);
+    for index in 0..cases(300) {
+        let angle = log_uniform(&mut rng, 1e-13, 1e-6);
+        let gap = angle * log_uniform(&mut rng, 1.0, 10.0);
+        let roof = |up: f64, turn: f64| -> Shape {
+            let edge = DVec3::new(turn.cos(), turn.sin(), 0.0);
+            let (side, down) = (DVec3::Y, -up * DVec3::Z);
+            Polytope::from_points([edge, -edge, side + down, -side + down])
+                .unwrap()
+                .into()
+        };
+        let all = turn(&mut rng);
+        let case = Case {
+            a: roof(-1.0, angle),
+            pose_a: Pose::new(all * DVec3::new(0.0, 0.0, gap), all),
+            b: roof(1.0, 0.0),
+            pose_b: Pose::new(DVec3::ZERO, all),
+        };
+        let found = case
+            .check(&format!("roofs {index}, {angle:e}, {gap:e}"))
+            .unwrap();
+        assert!((found.distance - gap).abs() < 1e-14, "{index}: {found:?}");
     }
 }

@@ -1,16 +1,8 @@
 //! A shape where it stands, as a convex core and a radius around it.
 
-use crate::geometry::Shape;
+use super::cloud::{Cloud, FEW};
+use crate::geometry::{Polytope, Shape};
 use glam::{DMat3, DQuat, DVec3};
-
-/// A polytope farther from its own origin than this many radii is scanned from its centre.
-///
-/// Heights of vertices from afar are rounded by the share that this is of the shape's size.
-const FAR: f64 = 4.0;
-
-/// Vertices up to which [`Polytope::support`](crate::Polytope::support) compares heights above the
-/// shape's own origin; with more it climbs, over differences.
-const SCANNED: usize = 24;
 
 /// A shape turned but not shifted: a core with vertices, and a radius around it that only a
 /// sphere has.
@@ -30,7 +22,8 @@ pub(super) struct Body<'a> {
     pub(super) size: f64,
     /// How far the shape reaches beyond its core, in metres.
     pub(super) radius: f64,
-    far: bool,
+    /// The vertices of a polytope that has few.
+    cloud: Cloud,
 }
 
 impl<'a> Body<'a> {
@@ -46,12 +39,7 @@ impl<'a> Body<'a> {
                 Shape::Sphere(sphere) => sphere.radius(),
                 _ => 0.0,
             },
-            far: match shape {
-                Shape::Polytope(polytope) => {
-                    polytope.vertices().len() <= SCANNED && centre.abs().max_element() > FAR * size
-                }
-                _ => false,
-            },
+            cloud: Cloud::EMPTY,
         };
         body.turn(orientation);
         body
@@ -69,8 +57,12 @@ impl<'a> Body<'a> {
                 self.axes = DMat3::from_cols(a, b, c);
                 self.shift = rotation * self.centre;
             }
-            Shape::Polytope(_) => {
+            Shape::Polytope(polytope) => {
                 self.axes = rotation;
+                if is_few(polytope) {
+                    let centre = self.centre;
+                    (self.cloud).fill(polytope.vertices(), |vertex| rotation * (vertex - centre));
+                }
                 self.shift = rotation * self.centre;
             }
         }
@@ -97,15 +89,17 @@ impl<'a> Body<'a> {
                 1 => self.axes.y_axis,
                 _ => self.axes.z_axis,
             },
+            Shape::Polytope(polytope) if is_few(polytope) => self.cloud.vertex(index),
             Shape::Polytope(polytope) => {
                 self.axes * (polytope.vertices()[index as usize] - self.centre)
             }
         }
     }
 
-    /// A vertex of the core that lies farthest along a direction of the world.
+    /// A vertex of the core that lies farthest along a direction of the world, sought from one that
+    /// is thought to be `near`.
     #[inline]
-    pub(super) fn support(&self, direction: DVec3) -> u32 {
+    pub(super) fn support(&self, direction: DVec3, near: Option<u32>) -> u32 {
         match self.shape {
             Shape::Sphere(_) => 0,
             Shape::Cuboid(_) => {
@@ -123,26 +117,15 @@ impl<'a> Body<'a> {
                     farthest
                 }
             }
+            Shape::Polytope(polytope) if is_few(polytope) => self.cloud.farthest(direction),
             Shape::Polytope(polytope) => {
                 let local = self.along_axes(direction);
-                if self.far {
-                    self.scan(polytope.vertices(), local)
-                } else {
-                    polytope.support(local)
+                match near {
+                    Some(near) => polytope.support_near(local, near),
+                    None => polytope.support(local),
                 }
             }
         }
-    }
-
-    fn scan(&self, vertices: &[DVec3], direction: DVec3) -> u32 {
-        let (mut most, mut farthest) = (f64::NEG_INFINITY, 0);
-        for (index, &vertex) in (0..).zip(vertices) {
-            let height = direction.dot(vertex - self.centre);
-            if height > most {
-                (most, farthest) = (height, index);
-            }
-        }
-        farthest
     }
 
     /// Whether the core holds a point, told from its centre; a triangle holds none.
@@ -171,4 +154,9 @@ impl<'a> Body<'a> {
             Shape::Polytope(polytope) => polytope.vertices().len() as u32,
         }
     }
+}
+
+#[inline]
+fn is_few(polytope: &Polytope) -> bool {
+    polytope.vertices().len() <= FEW
 }

@@ -7,6 +7,7 @@
 //! farther than the two nearest points.
 
 mod body;
+mod cloud;
 mod enumerate;
 mod feature;
 mod frame;
@@ -75,13 +76,14 @@ impl ClosestPoints {
 /// Source: Gilbert, Johnson & Keerthi, *A Fast Procedure for Computing the Distance Between
 /// Complex Objects in Three-Dimensional Space* (1988), with the answer proven by both
 /// its bounds; the few pairs that rounding leaves open try every pair of
-/// features. [`Separator`] finds distances of one pair time and again.
+/// features that may be nearest. [`Separator`] finds distances of one pair time and again.
 ///
-/// Some five supports of each shape; does not allocate.
+/// Some five supports of each shape, without allocating; of the few pairs left open all vertices and
+/// edges are looked at once, and only those within rounding of the plane between the two against
+/// each other.
 ///
 /// ```
-/// use feeler::narrow_phase::distance::closest_points;
-/// use feeler::{Cuboid, Feature, Pose, Shape, Sphere};
+/// use feeler::{Cuboid, Feature, Pose, Shape, Sphere, closest_points};
 /// use glam::DVec3;
 ///
 /// let ball = Shape::from(Sphere::new(1.0)?);

@@ -73,7 +73,7 @@ impl<'a> Separator<'a> {
     /// `between` leads from B's position to A's, along the world's axes.
     #[must_use]
     pub fn gap(&self, between: DVec3, normal: DVec3) -> f64 {
-        let probe = self.probe_along(self.offset(between), normal);
+        let probe = self.probe_along(self.offset(between), normal, None);
         normal.dot(probe.point) - self.radii()
     }
 
@@ -119,8 +119,11 @@ impl<'a> Separator<'a> {
 
     /// The point of A − B that lies least far along a direction.
     #[inline]
-    fn probe_along(&self, offset: DVec3, normal: DVec3) -> Probe {
-        let vertices = [self.a.support(-normal), self.b.support(normal)];
+    fn probe_along(&self, offset: DVec3, normal: DVec3, near: Option<[u32; 2]>) -> Probe {
+        let vertices = [
+            self.a.support(-normal, near.map(|near| near[0])),
+            self.b.support(normal, near.map(|near| near[1])),
+        ];
         self.probe(offset, vertices)
     }
 
@@ -150,7 +153,7 @@ impl<'a> Separator<'a> {
         let (radii, rounding) = (self.radii(), self.rounding(between));
         let mut simplex = self.kept(offset);
         if self.count == 0 {
-            simplex.push(self.probe_along(offset, offset));
+            simplex.push(self.probe_along(offset, offset, None));
         }
         let mut found = Found {
             nearest: DVec3::ZERO,
@@ -184,7 +187,8 @@ impl<'a> Separator<'a> {
             found.nearest = point;
             self.keep(&simplex);
             let normal = point / height;
-            let probe = self.probe_along(offset, normal);
+            let near = simplex.probes().last().map(|probe| probe.vertices);
+            let probe = self.probe_along(offset, normal, near);
             let gap = normal.dot(probe.point) - radii;
             if gap > best.gap {
                 (best.gap, best.normal) = (gap, normal);

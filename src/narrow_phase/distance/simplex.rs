@@ -8,18 +8,20 @@
 use super::frame::Frame;
 use glam::DVec3;
 
-/// Share of the longest edge below which a tetrahedron's height tells no sides apart.
+/// Volume of a tetrahedron, as a share of the cube of its longest edge, below which it tells no
+/// sides apart.
 ///
-/// Rounding of the height is some 1e-15; flat tetrahedra are what parallel faces
+/// Rounding of the volume is some 1e-15; flat tetrahedra are what parallel faces
 /// make. Higher only costs time.
-const FLAT: f64 = 1e-10;
+const FLAT: f64 = 1e-13;
 
 /// Squared sine of a triangle's angle below which its plane is laid by [`Frame`].
 const SHARP: f64 = 1e-3;
 
-/// What rounding does to a height over a triangle times its area, as a share of the lengths that
-/// went in: a dozen half ulp. Lower, and a sliver's plane hides a gap of 1e-10.
-const ROUNDED: f64 = 16.0 * f64::EPSILON;
+/// What rounding does to the volume of a tetrahedron, as a share of the cube of its longest edge: some
+/// thirty half ulp, and as much again for what the points were rounded by. Lower, and a
+/// sliver is taken to hold an origin that it passes by.
+const ROUNDED: f64 = 32.0 * f64::EPSILON;
 
 /// A point of A − B: a vertex of each.
 #[derive(Debug, Clone, Copy, Default)]
@@ -161,11 +163,10 @@ impl Simplex {
         self.rim([i, j, k], [of_i, of_j, of_k])
     }
 
-    /// The same of a thin triangle, whose edges' cross product is rounding.
-    #[cold]
-    fn sharp_face(&self, [i, j, k]: [usize; 3]) -> Nearest {
+    /// Of three corners, the two of the longest edge first, and their plane; none if they lie on
+    /// one line.
+    fn frame(&self, [i, j, k]: [usize; 3]) -> Option<([usize; 3], Frame)> {
         let probe = &self.probes;
-        // The longest edge leads from i to j.
         let square = |from: usize, to: usize| probe[from].to(&probe[to]).length_squared();
         let (ij, ik, jk) = (square(i, j), square(i, k), square(j, k));
         let [i, j, k] = if ij >= ik && ij >= jk {
@@ -175,8 +176,16 @@ impl Simplex {
         } else {
             [j, k, i]
         };
-        let Some(frame) = Frame::new(probe[i].to(&probe[j]), probe[i].to(&probe[k])) else {
-            return self.rim([i, j, k], [0.0; 3]);
+        let frame = Frame::new(probe[i].to(&probe[j]), probe[i].to(&probe[k]))?;
+        Some(([i, j, k], frame))
+    }
+
+    /// The same of a thin triangle, whose edges' cross product is rounding.
+    #[cold]
+    fn sharp_face(&self, corners: [usize; 3]) -> Nearest {
+        let probe = &self.probes;
+        let Some(([i, j, k], frame)) = self.frame(corners) else {
+            return self.rim(corners, [0.0; 3]);
         };
         let from = probe[i].point;
         let shares = frame.shares(-from);
@@ -204,40 +213,35 @@ impl Simplex {
         best.unwrap_or_else(|| self.corner(i))
     }
 
-    /// None if the tetrahedron holds the origin.
+    /// None if the tetrahedron holds the origin beyond doubt.
     fn body(&self) -> Option<Nearest> {
-        const FACES: [[usize; 4]; 4] = [[0, 1, 2, 3], [0, 1, 3, 2], [0, 2, 3, 1], [1, 2, 3, 0]];
-        let probe = &self.probes;
-        let (mut flat, mut within) = (false, true);
-        let mut outside = [false; 4];
-        for ([i, j, k, apex], outside) in FACES.into_iter().zip(&mut outside) {
-            let (to_j, to_k) = (probe[i].to(&probe[j]), probe[i].to(&probe[k]));
-            let to_apex = probe[i].to(&probe[apex]);
-            let normal = to_j.cross(to_k);
-            let (height, origin) = (normal.dot(to_apex), -normal.dot(probe[i].point));
-            let longest = to_j
-                .length_squared()
-                .max(to_k.length_squared())
-                .max(to_apex.length_squared());
-            flat |= height * height <= FLAT * FLAT * normal.length_squared() * longest;
-            // On which side of a sliver's plane a point lies, rounding of its normal tells.
-            let spread = to_j.length_squared() * to_k.length_squared();
-            let doubt = ROUNDED
-                * ROUNDED
-                * spread
-                * probe[i].point.length_squared().max(longest);
-            *outside =
-                (origin * height).is_nan() || origin * height <= 0.0 || origin * origin <= doubt;
-            within &= origin.abs() < height.abs();
-        }
-        if !flat && within && !outside.contains(&true) {
-            return None;
-        }
-        // Of a flat tetrahedron rounding tells the sides.
-        let all = flat || !outside.contains(&true);
+        // Without the corner of the same number.
+        const FACES: [[usize; 3]; 4] = [[1, 2, 3], [0, 2, 3], [0, 1, 3], [0, 1, 2]];
+        let [first, second, third, apex] = &self.probes;
+        let (to_first, to_second, to_third) = (apex.to(first), apex.to(second), apex.to(third));
+        let normal = to_second.cross(to_third);
+        let volume = to_first.dot(normal);
+        // How much of the origin each corner is, times the volume.
+        let of_first = -apex.point.dot(normal);
+        let of_second = -apex.point.dot(to_third.cross(to_first));
+        let of_third = -apex.point.dot(to_first.cross(to_second));
+        let shares = [
+            of_first,
+            of_second,
+            of_third,
+            volume - of_first - of_second - of_third,
+        ];
+        let square = (to_first.length_squared())
+            .max(to_second.length_squared())
+            .max(to_third.length_squared())
+            .max(apex.point.length_squared());
+        let cube = square * square.sqrt();
+        let sign = 1.0_f64.copysign(volume);
+        // Of a flat tetrahedron rounding tells the sides; NaN is flat.
+        let flat = volume.is_nan() || volume.abs() <= FLAT * cube;
         let mut best: Option<Nearest> = None;
-        for ([i, j, k, _], outside) in FACES.into_iter().zip(outside) {
-            if all || outside {
+        for (share, [i, j, k]) in shares.into_iter().zip(FACES) {
+            if flat || sign * share <= ROUNDED * cube {
                 let face = self.face(i, j, k);
                 best = Some(best.map_or(face, |best| best.better(face)));
             }
@@ -247,25 +251,24 @@ impl Simplex {
 
     /// The nearest points of A and of B, as offsets from their centres, of a reduced simplex.
     pub(super) fn witness(&self, nearest: DVec3) -> (DVec3, DVec3) {
-        let [first, second, third, _] = &self.probes;
+        let (mut corners, mut frame) = ([0, 1, 2], None);
+        if self.count == 3
+            && let Some((ordered, plane)) = self.frame(corners)
+        {
+            (corners, frame) = (ordered, Some(plane));
+        }
+        let [first, second, third] = corners.map(|corner| &self.probes[corner]);
+        let along = first.to(second);
         let mut shares = [0.0, 0.0];
-        let (along, other) = (first.to(second), first.to(third));
-        // Twice: the second time takes off the rounding of the first.
-        for _ in 0..2 {
-            let [share, other_share] = shares;
-            match self.count {
-                2 => {
-                    let rest = first.point + share * along - nearest;
-                    shares[0] -= rest.dot(along) / along.length_squared();
-                }
-                3 => {
-                    let rest = first.point + share * along + other_share * other - nearest;
-                    let normal = along.cross(other);
-                    let square = normal.length_squared();
-                    shares[0] += normal.dot(other.cross(rest)) / square;
-                    shares[1] += normal.dot(rest.cross(along)) / square;
-                }
-                _ => {}
+        if let Some(frame) = &frame {
+            // As the inside was told: of a sliver shares are right to rounding over its width, and
+            // another rounding might lead out.
+            [_, shares[0], shares[1]] = frame.shares(-first.point);
+        } else if self.count == 2 {
+            // Twice: the second time takes off the rounding of the first.
+            for _ in 0..2 {
+                let rest = first.point + shares[0] * along - nearest;
+                shares[0] -= rest.dot(along) / along.length_squared();
             }
         }
         let share = shares[0].clamp(0.0, 1.0);
@@ -273,9 +276,9 @@ impl Simplex {
         let mix = |of: fn(&Probe) -> DVec3| {
             let (first, second, third) = (of(first), of(second), of(third));
             match self.count {
+                1 => first,
                 2 => first + share * (second - first),
-                3 => first + share * (second - first) + other_share * (third - first),
-                _ => first,
+                _ => first + share * (second - first) + other_share * (third - first),
             }
         };
         (mix(|probe| probe.a), mix(|probe| probe.b))
