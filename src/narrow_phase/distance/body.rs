@@ -22,8 +22,10 @@ pub(super) struct Body<'a> {
     pub(super) size: f64,
     /// How far the shape reaches beyond its core, in metres.
     pub(super) radius: f64,
-    /// The vertices of a polytope that has few.
+    /// The vertices, if there are few.
     cloud: Cloud,
+    /// The polytope that has more.
+    many: Option<&'a Polytope>,
 }
 
 impl<'a> Body<'a> {
@@ -40,6 +42,10 @@ impl<'a> Body<'a> {
                 _ => 0.0,
             },
             cloud: Cloud::EMPTY,
+            many: match shape {
+                Shape::Polytope(polytope) if polytope.vertices().len() > FEW => Some(polytope),
+                _ => None,
+            },
         };
         body.turn(orientation);
         body
@@ -48,18 +54,30 @@ impl<'a> Body<'a> {
     pub(super) fn turn(&mut self, orientation: DQuat) {
         let rotation = DMat3::from_quat(orientation);
         match self.shape {
-            Shape::Sphere(_) => {}
+            Shape::Sphere(_) => self.cloud.fill(&[DVec3::ZERO], |vertex| vertex),
             Shape::Cuboid(cuboid) => {
-                self.axes = rotation * DMat3::from_diagonal(cuboid.half_extents());
+                let half = cuboid.half_extents();
+                let (x, y, z) = (
+                    half.x * rotation.x_axis,
+                    half.y * rotation.y_axis,
+                    half.z * rotation.z_axis,
+                );
+                self.axes = DMat3::from_cols(x, y, z);
+                let (sum, other) = (x + y, x - y);
+                let below = [-sum - z, other - z, -other - z, sum - z];
+                let above = [-sum + z, other + z, -other + z, sum + z];
+                self.cloud.fill(below.as_slice(), |vertex| vertex);
+                self.cloud.extend(above.as_slice(), |vertex| vertex);
             }
             Shape::Triangle(triangle) => {
                 let [a, b, c] = triangle.vertices().map(|v| rotation * (v - self.centre));
                 self.axes = DMat3::from_cols(a, b, c);
+                self.cloud.fill(&[a, b, c], |vertex| vertex);
                 self.shift = rotation * self.centre;
             }
             Shape::Polytope(polytope) => {
                 self.axes = rotation;
-                if is_few(polytope) {
+                if self.many.is_none() {
                     let centre = self.centre;
                     (self.cloud).fill(polytope.vertices(), |vertex| rotation * (vertex - centre));
                 }
@@ -75,24 +93,18 @@ impl<'a> Body<'a> {
         self.axes.transpose() * direction
     }
 
+    /// The other way round: a sum of the columns.
+    #[inline]
+    pub(super) fn from_axes(&self, shares: DVec3) -> DVec3 {
+        self.axes * shares
+    }
+
     /// A vertex of the core as an offset from the centre, along the world's axes.
     #[inline]
     pub(super) fn vertex(&self, index: u32) -> DVec3 {
-        match self.shape {
-            Shape::Sphere(_) => DVec3::ZERO,
-            Shape::Cuboid(_) => {
-                let side = |bit: u32| 2.0 * f64::from(index >> bit & 1) - 1.0;
-                side(0) * self.axes.x_axis + side(1) * self.axes.y_axis + side(2) * self.axes.z_axis
-            }
-            Shape::Triangle(_) => match index {
-                0 => self.axes.x_axis,
-                1 => self.axes.y_axis,
-                _ => self.axes.z_axis,
-            },
-            Shape::Polytope(polytope) if is_few(polytope) => self.cloud.vertex(index),
-            Shape::Polytope(polytope) => {
-                self.axes * (polytope.vertices()[index as usize] - self.centre)
-            }
+        match self.many {
+            None => self.cloud.vertex(index),
+            Some(polytope) => self.axes * (polytope.vertices()[index as usize] - self.centre),
         }
     }
 
@@ -100,31 +112,13 @@ impl<'a> Body<'a> {
     /// is thought to be `near`.
     #[inline]
     pub(super) fn support(&self, direction: DVec3, near: Option<u32>) -> u32 {
-        match self.shape {
-            Shape::Sphere(_) => 0,
-            Shape::Cuboid(_) => {
-                let heights = self.along_axes(direction);
-                u32::from(heights.x > 0.0)
-                    | u32::from(heights.y > 0.0) << 1
-                    | u32::from(heights.z > 0.0) << 2
-            }
-            Shape::Triangle(_) => {
-                let heights = self.along_axes(direction);
-                let farthest = u32::from(heights.y > heights.x);
-                if heights.z > heights.x.max(heights.y) {
-                    2
-                } else {
-                    farthest
-                }
-            }
-            Shape::Polytope(polytope) if is_few(polytope) => self.cloud.farthest(direction),
-            Shape::Polytope(polytope) => {
-                let local = self.along_axes(direction);
-                match near {
-                    Some(near) => polytope.support_near(local, near),
-                    None => polytope.support(local),
-                }
-            }
+        let Some(polytope) = self.many else {
+            return self.cloud.farthest(direction);
+        };
+        let local = self.along_axes(direction);
+        match near {
+            Some(near) => polytope.support_near(local, near),
+            None => polytope.support(local),
         }
     }
 
@@ -154,9 +148,4 @@ impl<'a> Body<'a> {
             Shape::Polytope(polytope) => polytope.vertices().len() as u32,
         }
     }
-}
-
-#[inline]
-fn is_few(polytope: &Polytope) -> bool {
-    polytope.vertices().len() <= FEW
 }

@@ -8,7 +8,7 @@ const LANES: usize = 4;
 /// A polytope with more vertices than this is climbed instead; only time depends on it.
 pub(super) const FEW: usize = 24;
 
-/// The vertices of a polytope as they are turned, from its centre.
+/// The vertices of a core as they are turned, from its centre.
 #[derive(Clone)]
 pub(super) struct Cloud {
     blocks: [Block; FEW / LANES],
@@ -33,9 +33,20 @@ impl Cloud {
     };
 
     /// Up to [`FEW`] vertices in place of those before.
+    #[inline]
     pub(super) fn fill(&mut self, vertices: &[DVec3], turned: impl Fn(DVec3) -> DVec3) {
         self.used = 0;
-        for (block, four) in self.blocks.iter_mut().zip(vertices.chunks(LANES)) {
+        self.extend(vertices, turned);
+    }
+
+    /// More of them, behind whole fours.
+    #[inline]
+    pub(super) fn extend(&mut self, vertices: &[DVec3], turned: impl Fn(DVec3) -> DVec3) {
+        for four in vertices.chunks(LANES) {
+            let Some(block) = self.blocks.get_mut(self.used) else {
+                debug_assert!(false, "more vertices than a cloud has room for");
+                return;
+            };
             for lane in 0..LANES {
                 // Lanes left over repeat a vertex and so never are the only highest.
                 let vertex = turned(four[lane.min(four.len() - 1)]);

@@ -6,6 +6,7 @@
 //! it is proven by the plane across its normal: neither body reaches
 //! farther than the two nearest points.
 
+mod ball;
 mod body;
 mod cloud;
 mod enumerate;

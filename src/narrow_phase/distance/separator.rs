@@ -128,6 +128,7 @@ impl<'a> Separator<'a> {
     }
 
     /// The vertices that were nearest.
+    #[inline]
     pub(super) fn kept(&self, offset: DVec3) -> Simplex {
         let mut simplex = Simplex::default();
         for &vertices in &self.kept[..self.count] {
@@ -136,10 +137,20 @@ impl<'a> Separator<'a> {
         simplex
     }
 
+    #[inline]
     pub(super) fn keep(&mut self, simplex: &Simplex) {
         self.count = 0;
         for (place, probe) in self.kept.iter_mut().zip(simplex.probes()) {
             *place = probe.vertices;
+            self.count += 1;
+        }
+    }
+
+    #[inline]
+    pub(super) fn keep_only(&mut self, vertices: &[[u32; 2]]) {
+        self.count = 0;
+        for (place, &vertices) in self.kept.iter_mut().zip(vertices) {
+            *place = vertices;
             self.count += 1;
         }
     }
@@ -151,6 +162,9 @@ impl<'a> Separator<'a> {
             return End::Touching;
         }
         let (radii, rounding) = (self.radii(), self.rounding(between));
+        if let Some(end) = self.ball(offset, rounding) {
+            return end;
+        }
         let mut simplex = self.kept(offset);
         if self.count == 0 {
             simplex.push(self.probe_along(offset, offset, None));
