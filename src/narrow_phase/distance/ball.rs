@@ -52,7 +52,7 @@ fn from_cuboid(body: &Body, cuboid: &Cuboid, point: DVec3) -> (DVec3, [u32; 3], 
     // The axes are as long as the half-extents.
     let local = body.along_axes(point) / half;
     let beyond = (local.abs() - half).max(DVec3::ZERO);
-    let way = body.from_axes(beyond.copysign(local) / half);
+    let way = body.sum_of_axes(beyond.copysign(local) / half);
     // The corner on the point's side, and its neighbours along the axes on which the point is not
     // beyond: a triangle that holds a quarter of their face.
     let corner = (0..3).fold(0, |corner, axis| {

@@ -95,7 +95,7 @@ impl<'a> Body<'a> {
 
     /// The other way round: a sum of the columns.
     #[inline]
-    pub(super) fn from_axes(&self, shares: DVec3) -> DVec3 {
+    pub(super) fn sum_of_axes(&self, shares: DVec3) -> DVec3 {
         self.axes * shares
     }
 
