@@ -94,7 +94,7 @@ impl ClosestPoints {
 /// assert_eq!(found.distance, 2.5);
 /// assert_eq!(found.normal, DVec3::X);
 /// assert_eq!(at.position + found.point_a, DVec3::new(3.0, 0.25, 0.0));
-/// assert_eq!(found.point_b, DVec3::new(0.5, 0.25, 0.0));
+/// assert!((found.point_b - DVec3::new(0.5, 0.25, 0.0)).length() < 1e-15);
 /// assert_eq!(found.feature_b, Feature::Face(1));
 ///
 /// // In touch.

@@ -79,9 +79,10 @@ impl<'a> Separator<'a> {
 
     /// The distance of the two and the plane that parts them, to within a share `tolerance` of it.
     ///
-    /// `between` leads from B's position to A's, along the world's axes. None if the two touch or
-    /// overlap, or if a number or its square is not finite. Where rounding stops the search, the bounds
-    /// are farther apart than asked for, but bounds.
+    /// `between` leads from B's position to A's, along the world's axes. None if the two are nearer than
+    /// rounding or overlap beyond doubt, or if a number or its square is not finite. Where rounding stops
+    /// the search, the bounds are farther apart than asked for, but bounds: a gap that is not
+    /// positive leaves it open whether the two touch.
     pub fn separation(&mut self, between: DVec3, tolerance: f64) -> Option<Separation> {
         match self.search(between, tolerance) {
             End::Touching => None,
