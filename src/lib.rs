@@ -102,6 +102,7 @@ pub use geometry::{
     Aabb, Cuboid, Edge, Face, Feature, Obb, Polytope, Pose, Ray, Shape, Sphere, Triangle,
 };
 pub use motion::{AtEnd, Facing, Motion, Path, Spin};
+pub use narrow_phase::distance::{ClosestPoints, closest_points};
 pub use narrow_phase::overlap::{Overlap, overlap};
 pub use narrow_phase::rays::{Chords, Overlaps, Placement, RayConfig, Refinement, Senders};
 pub use raycast::{RayCast, RayHit, RaySpan, SurfacePoint};

@@ -31,7 +31,7 @@ fn worst(a: &Shape, b: &Shape, rays: u32) -> (f64, f64) {
         let Some(exact) = exact else {
             continue;
         };
-        let sampled = sampled.expect("so far inside no touch is overlooked");
+        let sampled = sampled.unwrap();
         let delay = 6.0 * (sampled.fraction - exact.fraction);
         assert!(delay > -1e-12, "rays see nothing early: {delay}");
         late = late.max(delay);
