@@ -55,6 +55,7 @@ impl Attitude {
         })
     }
 
+    #[cfg(feature = "serde")]
     pub(super) fn facing(&self) -> &Facing {
         &self.facing
     }

@@ -21,8 +21,18 @@ pub(crate) struct EdgeLine {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct EdgeMap {
     lines: Vec<EdgeLine>,
+    /// By both vertices the edge between them, or [`NONE`]; empty if vertices are many.
+    pairs: Vec<u8>,
+    count: usize,
     of_vertices: Lists,
 }
+
+/// No edge.
+const NONE: u8 = u8::MAX;
+
+/// Up to this many vertices there is a table of all pairs: 576 bytes at most, and no more than
+/// 66 edges.
+const FEW: usize = 24;
 
 impl EdgeMap {
     pub(super) fn new(vertices: &[DVec3], edges: &[Edge]) -> Self {
@@ -38,8 +48,20 @@ impl EdgeMap {
                 faces,
             }
         };
+        let count = vertices.len();
+        let mut pairs = Vec::new();
+        if count <= FEW && edges.len() < usize::from(NONE) {
+            pairs.resize(count * count, NONE);
+            for (number, edge) in (0..NONE).zip(edges) {
+                let [from, to] = edge.vertices.map(|vertex| vertex as usize);
+                pairs[from * count + to] = number;
+                pairs[to * count + from] = number;
+            }
+        }
         Self {
             lines: edges.iter().map(line).collect(),
+            pairs,
+            count,
             of_vertices: gathered(vertices.len(), edges, |edge| edge.vertices),
         }
     }
@@ -47,6 +69,26 @@ impl EdgeMap {
     #[inline]
     pub(crate) fn line(&self, edge: u32) -> &EdgeLine {
         &self.lines[edge as usize]
+    }
+
+    /// The edge between two vertices.
+    #[inline]
+    pub(crate) fn between(&self, from: u32, to: u32) -> Option<u32> {
+        if let Some(&edge) = self.pairs.get(from as usize * self.count + to as usize) {
+            return (edge != NONE).then(|| u32::from(edge));
+        }
+        let (around_from, around_to) = (self.around_vertex(from), self.around_vertex(to));
+        // A cone's tip has many.
+        let list = if around_from.len() <= around_to.len() {
+            around_from
+        } else {
+            around_to
+        };
+        let joins = |&&edge: &&u32| {
+            let [first, second] = self.line(edge).vertices;
+            (first, second) == (from, to) || (first, second) == (to, from)
+        };
+        list.iter().find(joins).copied()
     }
 
     /// The edges that end at a vertex; none at one amid a face.

@@ -87,22 +87,25 @@ pub struct Face<'a> {
         into = "crate::geometry::data::PolytopeData"
     )
 )]
+#[repr(C)]
 pub struct Polytope {
-    vertices: Vec<DVec3>,
-    triangles: Vec<[u32; 3]>,
-    triangle_faces: Vec<u32>,
-    edges: Vec<Edge>,
-    normals: Vec<DVec3>,
-    offsets: Vec<f64>,
-    /// The vertices around each face.
-    rims: Lists,
-    support: Support,
-    face_map: FaceMap,
-    edge_map: EdgeMap,
-    /// The vertices about the centre, if there are few.
-    lanes: Vec<Lanes>,
+    // What every cast reads comes first: in memory too, for on the way to a body that was not
+    // looked at for a while each line of cache costs as much as a search.
     centre: DVec3,
     max_dist: f64,
+    /// The vertices about the centre, if there are few.
+    lanes: Vec<Lanes>,
+    edge_map: EdgeMap,
+    normals: Vec<DVec3>,
+    vertices: Vec<DVec3>,
+    support: Support,
+    face_map: FaceMap,
+    edges: Vec<Edge>,
+    offsets: Vec<f64>,
+    triangles: Vec<[u32; 3]>,
+    triangle_faces: Vec<u32>,
+    /// The vertices around each face.
+    rims: Lists,
 }
 
 impl Polytope {
@@ -340,19 +343,9 @@ impl Polytope {
     }
 
     /// The number of the edge between two vertices.
+    #[inline]
     pub(crate) fn edge_between(&self, from: u32, to: u32) -> Option<u32> {
-        let around = |vertex| self.edge_map.around_vertex(vertex);
-        // A cone's tip has many.
-        let list = if around(from).len() <= around(to).len() {
-            around(from)
-        } else {
-            around(to)
-        };
-        let joins = |&&edge: &&u32| {
-            let [first, second] = self.edges[edge as usize].vertices;
-            (first, second) == (from, to) || (first, second) == (to, from)
-        };
-        list.iter().find(joins).copied()
+        self.edge_map.between(from, to)
     }
 
     /// The vertices that share a triangle's edge with `vertex`, if it is a corner of the hull.

@@ -48,10 +48,18 @@ impl Body<'_> {
                 Some((face, self.face_normal_local(face)))
             }
             Shape::Polytope(polytope) => {
+                let normals = polytope.face_normals();
+                // Most faces are triangles: two of its edges name it.
+                let [p, q, r] = corners;
+                let map = polytope.edge_map();
+                if let (Some(first), Some(second)) = (map.between(p, q), map.between(q, r)) {
+                    let (first, second) = (map.line(first).faces, map.line(second).faces);
+                    let shared = first.into_iter().find(|face| second.contains(face))?;
+                    return Some((shared, *normals.get(shared as usize)?));
+                }
                 let around = |corner: &u32| polytope.edge_map().around_vertex(*corner);
                 // A cone's tip has many.
                 let corner = corners.iter().min_by_key(|corner| around(corner).len())?;
-                let normals = polytope.face_normals();
                 let mut best = (f64::NEG_INFINITY, 0);
                 for &edge in around(corner) {
                     for face in polytope.edges()[edge as usize].faces {
