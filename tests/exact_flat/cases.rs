@@ -400,3 +400,47 @@ fn turned(a: &Body, b: &Body, [turn_a, turn_b]: [DQuat; 2], between: DVec3, moti
         assert_eq!(oracle.complaint(found.as_ref()), None, "{motion} {found:?}");
     }
 }
+
+/// Along an edge of one, in the plane of a face of their difference: all that was left of the
+/// place on that face was rounding, and the exit came 0.1 motions late.
+#[test]
+fn a_slab_that_glides_off_a_box_along_its_own_edge() {
+    let half_a = v(
+        0.014858768035123236,
+        0.00686223074150386,
+        0.00014858768035123232,
+    );
+    let half_b = v(
+        0.007291690922343988,
+        0.003134263525194147,
+        0.0029940241677749316,
+    );
+    let turns = [
+        DQuat::from_xyzw(
+            0.27788558539142083,
+            -0.26554932405282905,
+            -0.9094752914568881,
+            0.15848612606837637,
+        ),
+        DQuat::from_xyzw(
+            -0.5030142373059566,
+            0.04277837047402653,
+            -0.2985143039259866,
+            0.8099604301684604,
+        ),
+    ];
+    let between = v(
+        0.06421798723958409,
+        0.04348651547903946,
+        0.027008801415161657,
+    );
+    let motion = v(
+        -0.004699649038345776,
+        -0.0025755602042307523,
+        -0.0024894367318880374,
+    );
+    let [a, b] = [half_a, half_b].map(bodies::cuboid);
+    turned(&a, &b, turns, between, motion);
+    let [a, b] = [a, b].map(|body| bodies::polytope(&body.hull.points));
+    turned(&a, &b, turns, between, motion);
+}

@@ -206,6 +206,10 @@ fn touch(pair: &Pair) -> Option<Touch> {
             Swept::Unclear(normal, time) => Some(careful(pair, normal, time)),
         };
     }
+    if pair.is_flat() {
+        let (normal, time) = faces::entry(pair)?;
+        return Some(careful(pair, normal, time));
+    }
     let mut few = [[Lanes::EMPTY; Lanes::BLOCKS]; 2];
     let mut shadow = Shadow::new(pair, &mut few);
     let found = match shadow.enclose() {

@@ -65,6 +65,18 @@ impl<'a> Pair<'a> {
         }
     }
 
+    /// Whether these are two triangles so nearly parallel that their difference has next to no
+    /// thickness.
+    pub(super) fn is_flat(&self) -> bool {
+        /// Squared sine between them; more than rounding makes of parallel ones by far.
+        const PARALLEL: f64 = 1e-12;
+        let (Shape::Triangle(a), Shape::Triangle(b)) = (self.a.shape, self.b.shape) else {
+            return false;
+        };
+        let (a, b) = (self.a.rotation * a.normal(), self.b.rotation * b.normal());
+        a.cross(b).length_squared() < PARALLEL
+    }
+
     /// Whether the bounding spheres pass each other by.
     #[inline]
     pub(super) fn spheres_miss(&self) -> bool {

@@ -21,6 +21,9 @@ const SHIFT: f64 = 8.0;
 /// Which way: any does that is not among a scene's own directions.
 const ASIDE: DVec3 = DVec3::new(0.837, -0.547, 0.393);
 
+/// Sine between the ray and a face up to which they are parallel but for rounding.
+const PARALLEL: f64 = 1e-13;
+
 /// Support calls before a search gives up. Random hulls of 1000 vertices take about
 /// fifteen.
 const MAX_STEPS: usize = 100;
@@ -211,7 +214,8 @@ impl<'a> Shadow<'a> {
             let known = probes.iter().any(|probe| probe.vertices == new.vertices);
             if known || height - reached <= tolerance * length {
                 let lowest = heights[0].min(heights[1]).min(heights[2]);
-                let against = normal.dot(along) < 0.0;
+                // Along a face that is parallel to it the ray enters by that face's rim.
+                let against = normal.dot(along) < -PARALLEL * length;
                 // The normal of a sliver is rounding; NaN gives up too.
                 if !(against && height - lowest <= 2.0 * tolerance * length) {
                     return None;
@@ -270,7 +274,14 @@ fn time(probes: &[Probe; 3], along: DVec3) -> f64 {
     // The ray's share of the way from the edge to the third point.
     let left = along.cross(edge);
     let third = r.across - p.across;
-    let share = (-left.dot(p.across) / left.dot(third)).clamp(0.0, 1.0);
+    let share = -left.dot(p.across) / left.dot(third);
+    // Whatever rounding makes of that, the place is in the triangle.
+    let (foot, apex) = (
+        -p.across.dot(edge) * per_square,
+        third.dot(edge) * per_square,
+    );
+    let most = (foot / apex.max(foot)).min((1.0 - foot) / (1.0 - apex.min(foot)));
+    let share = share.min(most).max(0.0);
     let beyond = r.point.dot(along) - height(third);
     (height(-p.across) + share * beyond) / along.length_squared()
 }

@@ -97,7 +97,10 @@ impl Pair<'_> {
             let moved = sharp_time - near_time;
             // Features found a hair off the ray must not move it.
             let error = (moved * speed).abs().max((moved * sharp_speed).abs());
-            if sharp_speed <= 0.0 && error <= self.doubt() {
+            // A face so small that its tilt does not show may have a large neighbour.
+            let all = self.height(sharp, self.supports(sharp));
+            let hidden = (all - sharp_time * sharp_speed).abs();
+            if sharp_speed <= 0.0 && error <= self.doubt() && hidden <= self.doubt() {
                 (normal, certain) = (sharp, true);
                 // Of what is nearly along the motion rounding makes long times.
                 if sharp_speed.abs() > STEEP {
