@@ -13,10 +13,6 @@ mod fit;
 mod hermite;
 mod hodograph;
 mod quadratic;
-#[cfg_attr(
-    not(test),
-    allow(dead_code, reason = "what certified casts along curves build on")
-)]
 mod section;
 mod span;
 mod spline;

@@ -4,10 +4,6 @@
 //! freely. About that point the body may turn: not at all, at a constant rate
 //! ([`Motion::spin`]), or along the path's tangent ([`Motion::facing`]).
 
-#[cfg_attr(
-    not(test),
-    allow(dead_code, reason = "what certified casts along curves build on")
-)]
 mod bounds;
 #[cfg(feature = "serde")]
 mod data;
@@ -15,17 +11,10 @@ mod facing;
 mod frame_motion;
 mod journey;
 mod kind;
-#[cfg_attr(
-    not(test),
-    allow(dead_code, reason = "what certified casts along curves build on")
-)]
 mod leg;
+mod passage;
 mod path;
 mod spin;
-#[cfg_attr(
-    not(test),
-    allow(dead_code, reason = "what certified casts along curves build on")
-)]
 mod stretch;
 #[cfg(test)]
 mod tests;
@@ -38,4 +27,6 @@ pub use path::Path;
 pub use spin::Spin;
 
 pub(crate) use frame_motion::FrameMotion;
+pub(crate) use passage::TurningRate;
+pub(crate) use stretch::Stretch;
 pub(crate) use turning::Turning;

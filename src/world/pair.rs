@@ -5,7 +5,7 @@ use crate::error::{FirstContactError, StepError};
 use crate::geometry::{Feature, Pose, Shape};
 use crate::math::domain;
 use crate::motion::{FrameMotion, Motion};
-use crate::narrow_phase::exact::{self, Touching};
+use crate::narrow_phase::exact::{self, Encounter, Flight, Touching};
 use crate::narrow_phase::overlap::overlap;
 use crate::narrow_phase::rays::{Standing, part};
 use crate::tolerance::{MAX_TIME_STEP, MIN_TIME_STEP, touch_tolerance};
@@ -41,6 +41,15 @@ impl<'a> Mover<'a> {
 
     fn pose_at(&self, fraction: f64) -> Pose {
         self.frame.pose_at(self.motion, self.orientation, fraction)
+    }
+
+    fn flight(&self) -> Flight<'a> {
+        Flight::new(self.shape, self.motion, self.frame, self.orientation)
+    }
+
+    /// Whether it does more in the frame than move straight.
+    fn bends(&self) -> bool {
+        self.frame.curved || self.motion.turns()
     }
 
     fn displacement(&self, from: f64, to: f64) -> DVec3 {
@@ -95,13 +104,21 @@ pub(crate) struct PairEffort {
     pub(crate) rays: u64,
 }
 
+/// A pair of which it could not be told within the budget whether it meets.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Undecided {
+    /// Up to this fraction the two are proven apart.
+    pub(crate) clear_until: f64,
+}
+
 /// First contact of a pair in the frame.
 pub(crate) fn examine(
     solver: &mut Solver,
     a: &Mover<'_>,
     b: &Mover<'_>,
     effort: &mut PairEffort,
-) -> Option<Finding> {
+) -> Result<Option<Finding>, Undecided> {
+    let exact = matches!(solver, Solver::Exact);
     let mut pair = Pair {
         a,
         b,
@@ -113,23 +130,12 @@ pub(crate) fn examine(
     if pair.stretching.reports_overlaps
         && let Some(contact) = pair.overlap_at(0.0)
     {
-        return Some(contact.into());
+        return Ok(Some(contact.into()));
     }
-    // Where paths begin and end bodies set out, turn round and stop; between such
-    // moments motions are smooth.
-    let mut from = 0.0;
-    for _ in 0..MAX_BREAKS {
-        let next = |mover: &Mover<'_>| mover.frame.next_break(mover.motion, from);
-        let to = next(a).min(next(b));
-        if let Some(finding) = pair.examine_smooth(from, to) {
-            return Some(finding);
-        }
-        from = to;
-        if from >= 1.0 {
-            return None;
-        }
+    if exact && (a.bends() || b.bends()) {
+        return pair.examine_curved();
     }
-    pair.examine_smooth(from, 1.0)
+    Ok(pair.examine_chords())
 }
 
 /// Radians that two bodies may turn together on a stretch, which is examined
@@ -144,6 +150,24 @@ const TURN: f64 = 1e-2;
 /// body turns round by as much as chords may stray.
 const MAX_BREAKS: u32 = 10_000;
 
+/// The touch of a pair that could not be decided, if it overlaps as the frame ends: it met some time
+/// after it was last proven apart.
+pub(crate) fn overlap_at_end(
+    a: &Mover<'_>,
+    b: &Mover<'_>,
+    undecided: Undecided,
+) -> Option<Finding> {
+    let found = overlap(a.shape, &a.pose_at(1.0), b.shape, &b.pose_at(1.0))?;
+    let contact = PairContact {
+        fraction: undecided.clear_until,
+        point: found.point,
+        normal: found.direction,
+        features: [found.feature_a, found.feature_b],
+        kind: ContactKind::Touch,
+    };
+    Some(contact.into())
+}
+
 struct Pair<'a> {
     a: &'a Mover<'a>,
     b: &'a Mover<'a>,
@@ -155,6 +179,54 @@ struct Pair<'a> {
 }
 
 impl Pair<'_> {
+    /// By stretches along chords, which straight motions are.
+    fn examine_chords(&mut self) -> Option<Finding> {
+        // Where paths begin and end bodies set out, turn round and stop; between such
+        // moments motions are smooth.
+        let mut from = 0.0;
+        for _ in 0..MAX_BREAKS {
+            let next = |mover: &Mover<'_>| mover.frame.next_break(mover.motion, from);
+            let to = next(self.a).min(next(self.b));
+            if let Some(finding) = self.examine_smooth(from, to) {
+                return Some(finding);
+            }
+            from = to;
+            if from >= 1.0 {
+                return None;
+            }
+        }
+        self.examine_smooth(from, 1.0)
+    }
+
+    /// On the true curves, and turning.
+    fn examine_curved(&mut self) -> Result<Option<Finding>, Undecided> {
+        let (a, b) = (self.a.flight(), self.b.flight());
+        let positions = [self.a, self.b].map(|mover| mover.frame.start);
+        let coordinate = positions[0].abs().max(positions[1].abs()).max_element();
+        let touch = touch_tolerance(self.reach(), coordinate);
+        let (touching, resting) =
+            match exact::encounter((&a, &b), touch, &mut self.effort.stretches) {
+                Encounter::Touch { touching, .. } => (touching, false),
+                Encounter::Resting(touching) => (touching, true),
+                Encounter::Apart => return Ok(None),
+                Encounter::Undecided { clear_until } => return Err(Undecided { clear_until }),
+            };
+        let Touching {
+            fraction,
+            point,
+            normal,
+            features,
+        } = touching;
+        let contact = PairContact {
+            fraction,
+            point: self.b.pose_at(fraction).position + point,
+            normal,
+            features,
+            kind: ContactKind::Touch,
+        };
+        Ok(Some(Finding { contact, resting }))
+    }
+
     fn reach(&self) -> f64 {
         self.a.reach + self.b.reach
     }
@@ -348,7 +420,9 @@ impl Pair<'_> {
 /// As [`CollisionWorld::insert`](crate::CollisionWorld::insert),
 /// [`CollisionWorld::new`](crate::CollisionWorld::new) and
 /// [`CollisionWorld::step`](crate::CollisionWorld::step) for bodies, method and
-/// horizon.
+/// horizon. [`FirstContactError::Undecided`] if bodies on curves or in rotation come or stay so near
+/// to each other, without touching, that the search ran out of budget: they are proven
+/// apart till then.
 ///
 /// ```
 /// use feeler::{Body, FirstContactError, Method, Motion, Sphere, first_contact};
@@ -383,5 +457,8 @@ pub fn first_contact(
     let (a, b) = (resident(a)?, resident(b)?);
     let mut effort = PairEffort::default();
     let finding = examine(&mut solver, &Mover::new(&a), &Mover::new(&b), &mut effort);
-    Ok(finding.map(|finding| finding.contact))
+    match finding {
+        Ok(finding) => Ok(finding.map(|finding| finding.contact)),
+        Err(Undecided { clear_until }) => Err(FirstContactError::Undecided { clear_until }),
+    }
 }

@@ -222,7 +222,12 @@ impl CollisionWorld {
             };
             let placed = a.placed || b.placed;
             let (a, b) = (Mover::new(a), Mover::new(b));
-            let Some(finding) = pair::examine(&mut self.solver, &a, &b, &mut effort) else {
+            let found = pair::examine(&mut self.solver, &a, &b, &mut effort);
+            let found = found.unwrap_or_else(|undecided| {
+                stats.undecided += 1;
+                pair::overlap_at_end(&a, &b, undecided)
+            });
+            let Some(finding) = found else {
                 continue;
             };
             if finding.resting && self.touching.binary_search(&(first, second)).is_ok() {

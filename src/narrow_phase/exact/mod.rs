@@ -7,6 +7,7 @@
 //! for with support functions, and time, point and normal are computed afresh
 //! from the features that touch.
 
+mod advance;
 mod ball_approach;
 mod ball_ball;
 mod ball_capsule;
@@ -26,12 +27,16 @@ mod edges;
 mod extremes;
 mod faces;
 mod flat;
+mod flight;
+mod meeting;
 mod pair;
 mod patch;
 mod portal;
 mod settle;
 mod slab;
 mod snap;
+mod turning;
+mod window;
 
 pub use ball_ball::ball_ball;
 pub use ball_crossing::ball_crossing;
@@ -39,3 +44,6 @@ pub use ball_touch::ball_touch;
 pub use cast::{crossing, touch};
 pub use crossing::{Crossing, Touching};
 pub use flat::{flat_crossing, flat_touch};
+
+pub(crate) use advance::{Encounter, encounter};
+pub(crate) use flight::Flight;

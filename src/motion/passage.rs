@@ -1,0 +1,116 @@
+//! How a body's carried point and its turning go on from some moment.
+
+use crate::curve::Section;
+use crate::motion::stretch::{Course, Stretch};
+use crate::motion::{FrameMotion, Motion, Turning};
+use glam::DVec3;
+
+/// A window of a frame on which a carried point moves nearly straight; time counts in frames.
+///
+/// At `σ` after its beginning the point is within `½ · acceleration · σ² + stray · σ`
+/// of where `velocity` alone would have brought it.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Passage {
+    /// Metres per frame.
+    pub(crate) velocity: DVec3,
+    /// Upper bound, in metres per frame and frame.
+    pub(crate) acceleration: f64,
+    /// Upper bound, in metres per frame: the whole speed where nothing is known of the
+    /// direction, beside a cusp.
+    pub(crate) stray: f64,
+    /// The fraction of the frame at which the window ends.
+    pub(crate) to: f64,
+}
+
+/// How often a window is halved in search of a bound on its curvature.
+const HALVINGS: u32 = 12;
+
+impl FrameMotion {
+    /// How the carried point moves from fraction `from`, which lies on `stretch`, up to `to` at
+    /// most.
+    ///
+    /// Windows end where the stretch does, or before a cusp.
+    pub(crate) fn passage(
+        &self,
+        motion: &Motion,
+        stretch: &Stretch<'_>,
+        from: f64,
+        to: f64,
+    ) -> Passage {
+        let to = to.min(stretch.to);
+        let straight = |velocity: DVec3| Passage {
+            velocity: self.duration * velocity,
+            acceleration: 0.0,
+            stray: 0.0,
+            to,
+        };
+        let curve = match &stretch.course {
+            Course::Rest => return straight(DVec3::ZERO),
+            Course::Straight(velocity) => return straight(*velocity),
+            Course::Curve(curve) => curve,
+        };
+        let [first, last] = curve.u;
+        let forward = last >= first;
+        let length = stretch.to - stretch.from;
+        let u_at = |fraction: f64| {
+            if fraction >= stretch.to {
+                last
+            } else {
+                curve.u_at(motion, (fraction - stretch.from) / length)
+            }
+        };
+        let speed = self.highest_speed(motion);
+        let start = u_at(from);
+        let mut end = to;
+        for _ in 0..HALVINGS {
+            let section = Section::of(curve.piece, [start, u_at(end)], forward);
+            let curvature = section.curvature();
+            if curvature < f64::INFINITY {
+                let [tangent, _] = section.end_tangents();
+                return Passage {
+                    velocity: speed * tangent,
+                    acceleration: speed * speed * curvature,
+                    stray: 0.0,
+                    to: end,
+                };
+            }
+            let middle = from + 0.25 * (end - from);
+            if !(from < middle && middle < end) {
+                break;
+            }
+            end = middle;
+        }
+        Passage {
+            velocity: DVec3::ZERO,
+            acceleration: 0.0,
+            stray: speed,
+            to: end,
+        }
+    }
+
+    /// How fast the carried point moves at most, in metres per frame.
+    pub(crate) fn highest_speed(&self, motion: &Motion) -> f64 {
+        self.duration * motion.top_speed()
+    }
+
+    /// Angular velocity of a spin in radians per frame along the world's axes, or an upper
+    /// bound on how fast a body turns that faces its way, between two fractions.
+    pub(crate) fn turning_rate(&self, motion: &Motion, from: f64, to: f64) -> TurningRate {
+        match motion.turning() {
+            Turning::Not => TurningRate::Spin(DVec3::ZERO),
+            Turning::Spin(spin) => TurningRate::Spin(self.duration * spin.rate() * spin.axis()),
+            Turning::Facing(_) => {
+                TurningRate::AtMost(self.duration * self.angular_speed(motion, from, to))
+            }
+        }
+    }
+}
+
+/// How a body turns on a window of a frame.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum TurningRate {
+    /// At this angular velocity.
+    Spin(DVec3),
+    /// About some axis, not faster than this.
+    AtMost(f64),
+}
