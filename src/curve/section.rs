@@ -102,6 +102,32 @@ impl Section {
             bound * (1.0 + 32.0 * f64::EPSILON)
         }
     }
+
+    /// An upper bound on the share of the curvature along a vector, per metre and in the vector's
+    /// length; infinite beside a cusp.
+    ///
+    /// With the unit tangent `T = v/|v|`, the curvature vector is `(v' − (v'·T) T)/|v|²`: where
+    /// neither velocity nor its change has a share along the vector, there is none.
+    pub(crate) fn curvature_along(&self, direction: DVec3) -> f64 {
+        let Some(cone) = self.tangents() else {
+            return f64::INFINITY;
+        };
+        let [a, b, c] = self.velocity;
+        let least = |values: [f64; 3]| values.into_iter().fold(f64::INFINITY, f64::min);
+        let most = |values: [f64; 3]| values.into_iter().fold(0.0, f64::max);
+        let slowest = least([a, b, c].map(|velocity| velocity.dot(cone.axis).abs()));
+        let changes = [b - a, c - b, DVec3::ZERO];
+        let change_along = most(changes.map(|change| change.dot(direction).abs()));
+        let change = most(changes.map(DVec3::length));
+        let tangent_along = most([a, b, c].map(|velocity| velocity.dot(direction).abs())) / slowest;
+        let bound = 2.0 * (change_along + tangent_along * change)
+            / (self.width.abs() * slowest * slowest);
+        if bound.is_nan() {
+            f64::INFINITY
+        } else {
+            bound * (1.0 + 32.0 * f64::EPSILON)
+        }
+    }
 }
 
 /// Unit vectors within some angle, less than a right one, of an axis.

@@ -27,6 +27,6 @@ pub use path::Path;
 pub use spin::Spin;
 
 pub(crate) use frame_motion::FrameMotion;
-pub(crate) use passage::TurningRate;
+pub(crate) use passage::{Bend, TurningRate};
 pub(crate) use stretch::Stretch;
 pub(crate) use turning::Turning;

@@ -7,19 +7,45 @@ use glam::DVec3;
 
 /// A window of a frame on which a carried point moves nearly straight; time counts in frames.
 ///
-/// At `σ` after its beginning the point is within `½ · acceleration · σ² + stray · σ`
+/// At `σ` after its beginning the point is within `½ · bend · σ² + stray · σ`
 /// of where `velocity` alone would have brought it.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Passage {
     /// Metres per frame.
     pub(crate) velocity: DVec3,
-    /// Upper bound, in metres per frame and frame.
-    pub(crate) acceleration: f64,
+    /// What bounds the acceleration.
+    pub(crate) bend: Bend,
     /// Upper bound, in metres per frame: the whole speed where nothing is known of the
     /// direction, beside a cusp.
     pub(crate) stray: f64,
     /// The fraction of the frame at which the window ends.
     pub(crate) to: f64,
+}
+
+/// Bounds of an acceleration across the direction of flight.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Bend {
+    /// Speed squared, in metres per frame.
+    square: f64,
+    curvature: f64,
+    section: Option<Section>,
+}
+
+impl Bend {
+    const NONE: Self = Self {
+        square: 0.0,
+        curvature: 0.0,
+        section: None,
+    };
+
+    /// Upper bound of the acceleration's share along a vector, in metres per frame and frame and in the
+    /// vector's length.
+    pub(crate) fn along(&self, direction: DVec3) -> f64 {
+        self.section.map_or(0.0, |section| {
+            let anyhow = self.curvature * direction.length();
+            self.square * anyhow.min(section.curvature_along(direction))
+        })
+    }
 }
 
 /// How often a window is halved in search of a bound on its curvature.
@@ -40,7 +66,7 @@ impl FrameMotion {
         let to = to.min(stretch.to);
         let straight = |velocity: DVec3| Passage {
             velocity: self.duration * velocity,
-            acceleration: 0.0,
+            bend: Bend::NONE,
             stray: 0.0,
             to,
         };
@@ -69,7 +95,11 @@ impl FrameMotion {
                 let [tangent, _] = section.end_tangents();
                 return Passage {
                     velocity: speed * tangent,
-                    acceleration: speed * speed * curvature,
+                    bend: Bend {
+                        square: speed * speed,
+                        curvature,
+                        section: Some(section),
+                    },
                     stray: 0.0,
                     to: end,
                 };
@@ -82,7 +112,7 @@ impl FrameMotion {
         }
         Passage {
             velocity: DVec3::ZERO,
-            acceleration: 0.0,
+            bend: Bend::NONE,
             stray: speed,
             to: end,
         }

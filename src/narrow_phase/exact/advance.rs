@@ -5,7 +5,7 @@ use super::flight::{Flight, Instant};
 use super::meeting::{Meeting, meet};
 use super::turning::of_features;
 use super::window::{Parabola, Plane, Side, Window};
-use crate::motion::{Stretch, TurningRate};
+use crate::motion::{Bend, Stretch, TurningRate};
 use crate::narrow_phase::distance::{Separator, closest_points};
 use crate::narrow_phase::overlap::overlap;
 use glam::DVec3;
@@ -45,6 +45,10 @@ const FAR: f64 = 0.05;
 
 /// Sine of the angle to the surface below which a motion slides along it.
 const SLIDE: f64 = 1e-7;
+
+/// Share of a frame in which a body that faces its way may turn round unseen, where its path turns
+/// in a cusp or goes straight up.
+const FLIP: f64 = 1e-9;
 
 /// How deep a slide in touch may leave it unseen, as a share of the pair's size.
 const UNSEEN: f64 = 1e-9;
@@ -177,7 +181,7 @@ impl<'a> Search<'_, 'a> {
         let parabola = Parabola {
             start: room - 0.5 * FAR * self.reach(),
             slope: normal.dot(passages.velocity) - passages.stray,
-            bend: passages.acceleration,
+            bend: passages.bends.iter().map(|bend| bend.along(normal)).sum(),
         };
         let along = parabola.root().min(passages.length);
         // Whatever the directions; what is lost is rounding.
@@ -196,7 +200,7 @@ impl<'a> Search<'_, 'a> {
             .map(|(flight, stretch)| flight.frame.passage(flight.motion, stretch, self.time, to));
         Passages {
             velocity: of_a.velocity - of_b.velocity,
-            acceleration: of_a.acceleration + of_b.acceleration,
+            bends: [of_a.bend, of_b.bend],
             stray: of_a.stray + of_b.stray,
             length: of_a.to.min(of_b.to) - self.time,
             to: of_a.to.min(of_b.to),
@@ -204,33 +208,45 @@ impl<'a> Search<'_, 'a> {
     }
 
     fn window(&self, a: Instant<'a>, b: Instant<'a>, offset: DVec3) -> Window<'a> {
-        let passages = self.passages(self.longest);
-        let mut stray = passages.stray;
-        let to = passages.to;
-        let [of_a, of_b] = [(self.a, a), (self.b, b)].map(|(flight, instant)| {
-            let mut spin = DVec3::ZERO;
-            if flight.turns() {
-                match flight.frame.turning_rate(flight.motion, self.time, to) {
-                    TurningRate::Spin(rate) => spin = rate,
-                    TurningRate::AtMost(rate) => stray += rate * flight.arm,
+        let mut longest = self.longest;
+        loop {
+            let passages = self.passages(longest);
+            let mut turning = 0.0;
+            let [of_a, of_b] = [(self.a, a), (self.b, b)].map(|(flight, instant)| {
+                let mut spin = DVec3::ZERO;
+                if flight.turns() {
+                    let rate = flight
+                        .frame
+                        .turning_rate(flight.motion, self.time, passages.to);
+                    match rate {
+                        TurningRate::Spin(rate) => spin = rate,
+                        TurningRate::AtMost(rate) => turning += rate * flight.arm,
+                    }
                 }
+                Side {
+                    instant,
+                    spin,
+                    arm: flight.arm,
+                }
+            });
+            // Before a cusp, or where a body that faces its way goes straight up, only short windows
+            // say how fast it turns.
+            if turning.is_infinite() && passages.length > FLIP {
+                longest = 0.25 * passages.length;
+                continue;
             }
-            Side {
-                instant,
-                spin,
-                arm: flight.arm,
-            }
-        });
-        Window {
-            a: of_a,
-            b: of_b,
-            offset,
-            velocity: passages.velocity,
-            acceleration: passages.acceleration,
-            stray,
-            radii: self.a.radius + self.b.radius,
-            length: passages.length,
-            to,
+            return Window {
+                a: of_a,
+                b: of_b,
+                offset,
+                velocity: passages.velocity,
+                bends: passages.bends,
+                stray: passages.stray,
+                turning,
+                radii: self.a.radius + self.b.radius,
+                length: passages.length,
+                to: passages.to,
+            };
         }
     }
 
@@ -245,12 +261,16 @@ impl<'a> Search<'_, 'a> {
                 by = self.plane_advance(window, closest.normal, floor);
             }
         }
+        if window.turning.is_infinite() && !(by > 0.0) {
+            // Nothing is known of a jump, but where it ends.
+            by = window.length;
+        }
         if !(by > 0.0) {
             // Nobody is faster than this.
             let turning = |side: &Side<'_>| side.arm * side.spin.length();
-            let speed = window.velocity.length()
-                + window.stray
-                + window.acceleration * window.length
+            let speed = self.a.speed
+                + self.b.speed
+                + window.turning
                 + turning(&window.a)
                 + turning(&window.b);
             by = (0.5 * distance / speed).min(window.length);
@@ -276,8 +296,9 @@ impl<'a> Search<'_, 'a> {
             turn: DVec3::ZERO,
         };
         let turning = window.a.spin.length() + window.b.spin.length();
+        let turns = turning + window.turning > 0.0;
         let mut best = window.clear_for(&still, floor);
-        if turning > 0.0 && best < window.length {
+        if turns && best < window.length {
             best = best.max(self.turned_all_round(window, normal, floor));
         }
         if turning > 0.0 && best < window.length {
@@ -298,7 +319,7 @@ impl<'a> Search<'_, 'a> {
         let parabola = Parabola {
             start: normal.dot(window.offset) + heights - window.radii - floor,
             slope: normal.dot(window.velocity) - window.stray,
-            bend: window.acceleration,
+            bend: window.acceleration(normal),
         };
         if parabola.start > 0.0 {
             parabola.root().min(window.length)
@@ -356,7 +377,7 @@ impl<'a> Search<'_, 'a> {
 
 struct Passages {
     velocity: DVec3,
-    acceleration: f64,
+    bends: [Bend; 2],
     stray: f64,
     length: f64,
     to: f64,

@@ -107,7 +107,7 @@ fn velocity_at(
 ) -> DVec3 {
     let of = |flight: &Flight<'_>, world: DVec3| flight.point_velocity(world, time);
     let world = window.b.instant.pose.position + point;
-    if window.stray > 0.0 {
+    if window.stray + window.turning > 0.0 {
         return of(a, world) - of(b, world);
     }
     let from_b = point - window.b.instant.to_hub();

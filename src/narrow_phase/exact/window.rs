@@ -1,6 +1,7 @@
 //! How long a plane parts two bodies for certain.
 
 use super::flight::Instant;
+use crate::motion::Bend;
 use glam::DVec3;
 
 /// A plane between two bodies whose normal turns as they move: `normal + σ · turn` at `σ` frames
@@ -41,10 +42,12 @@ pub(super) struct Window<'a> {
     pub(super) offset: DVec3,
     /// Of A's hub relative to B's, metres per frame.
     pub(super) velocity: DVec3,
-    /// Of the hubs beside their velocity, upper bound, metres per frame and frame.
-    pub(super) acceleration: f64,
-    /// What else the bodies may do, upper bound, metres per frame.
+    /// What bends the hubs' courses.
+    pub(super) bends: [Bend; 2],
+    /// What else the hubs may do, upper bound, metres per frame.
     pub(super) stray: f64,
+    /// What turning other than a spin may do, upper bound, metres per frame.
+    pub(super) turning: f64,
     /// Sum of the radii around the cores.
     pub(super) radii: f64,
     /// How long it lasts, in frames.
@@ -88,7 +91,7 @@ impl Window<'_> {
         let b = self.b.instant.lowest(-along(self.b.spin));
         let apart = self.offset + (a - b);
         let velocity = self.velocity + (self.a.spin.cross(a) - self.b.spin.cross(b));
-        let stray = self.stray * (1.0 + self.length * turn.length());
+        let stray = (self.stray + self.turning) * (1.0 + self.length * turn.length());
         Parabola {
             start: normal.dot(apart) - self.radii - floor,
             slope: turn.dot(apart) + normal.dot(velocity) - stray,
@@ -101,13 +104,19 @@ impl Window<'_> {
         self.lowest(plane, 0.0, self.bend(plane), 0.0)
     }
 
+    /// Upper bound of the hubs' acceleration's share along a vector, metres per frame and frame.
+    pub(super) fn acceleration(&self, direction: DVec3) -> f64 {
+        let [a, b] = &self.bends;
+        a.along(direction) + b.along(direction)
+    }
+
     /// `M`.
     fn bend(&self, plane: &Plane) -> f64 {
         let curved = |direction: DVec3| {
             let turned = |side: &Side<'_>| {
                 side.arm * side.spin.length() * side.spin.cross(direction).length()
             };
-            self.acceleration * direction.length() + turned(&self.a) + turned(&self.b)
+            self.acceleration(direction) + turned(&self.a) + turned(&self.b)
         };
         let turn = plane.turn;
         let mut bend = curved(plane.normal);
