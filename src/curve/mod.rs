@@ -22,7 +22,7 @@ pub use bezier::CubicBezier;
 pub use spline::{Knots, Spline};
 pub use table::{ArcLengthRow, ArcLengthTable};
 
-pub(crate) use section::Section;
+pub(crate) use section::{Bending, Section};
 
 #[cfg(feature = "serde")]
 pub(crate) use data::{SplineData, SplineDataError};

@@ -1,6 +1,6 @@
 //! How a body's carried point and its turning go on from some moment.
 
-use crate::curve::Section;
+use crate::curve::{Bending, Section};
 use crate::motion::stretch::{Course, Stretch};
 use crate::motion::{FrameMotion, Motion, Turning};
 use glam::DVec3;
@@ -27,24 +27,20 @@ pub(crate) struct Passage {
 pub(crate) struct Bend {
     /// Speed squared, in metres per frame.
     square: f64,
-    curvature: f64,
-    section: Option<Section>,
+    bending: Option<Bending>,
 }
 
 impl Bend {
     const NONE: Self = Self {
         square: 0.0,
-        curvature: 0.0,
-        section: None,
+        bending: None,
     };
 
     /// Upper bound of the acceleration's share along a vector, in metres per frame and frame and in the
     /// vector's length.
     pub(crate) fn along(&self, direction: DVec3) -> f64 {
-        self.section.map_or(0.0, |section| {
-            let anyhow = self.curvature * direction.length();
-            self.square * anyhow.min(section.curvature_along(direction))
-        })
+        self.bending
+            .map_or(0.0, |bending| self.square * bending.along(direction))
     }
 }
 
@@ -89,16 +85,19 @@ impl FrameMotion {
         let start = u_at(from);
         let mut end = to;
         for _ in 0..HALVINGS {
-            let section = Section::of(curve.piece, [start, u_at(end)], forward);
-            let curvature = section.curvature();
-            if curvature < f64::INFINITY {
+            let leave = u_at(end);
+            if (leave - start).abs() <= f64::EPSILON {
+                // As short as rounding: halving it would tell no more.
+                break;
+            }
+            let section = Section::of(curve.piece, [start, leave], forward);
+            if let Some(bending) = section.bending() {
                 let [tangent, _] = section.end_tangents();
                 return Passage {
                     velocity: speed * tangent,
                     bend: Bend {
                         square: speed * speed,
-                        curvature,
-                        section: Some(section),
+                        bending: Some(bending),
                     },
                     stray: 0.0,
                     to: end,

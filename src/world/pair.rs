@@ -80,6 +80,31 @@ pub struct PairContact {
     pub kind: ContactKind,
 }
 
+impl PairContact {
+    /// The point in the first body's own coordinates and in the second's, in metres.
+    ///
+    /// `horizon` is the one that was searched, in seconds.
+    ///
+    /// ```
+    /// use feeler::{Body, Method, Motion, Sphere, first_contact};
+    /// use glam::DVec3;
+    ///
+    /// let motion = Motion::free([3.0, 0.0, 0.0], [-1.0, 0.0, 0.0])?.spin([0.0, 0.0, 1.0], 2.0)?;
+    /// let ball = Body::moving(Sphere::new(1.0)?, motion);
+    /// let target = Body::fixed(Sphere::new(1.0)?, [0.0, 0.0, 0.0]);
+    /// let contact = first_contact(&ball, &target, 2.0, &Method::default())?.expect("they meet");
+    /// let [on_ball, on_target] = contact.local_points(&ball, &target, 2.0);
+    /// assert!(on_target.distance(DVec3::X) < 1e-12);
+    /// assert!((on_ball.length() - 1.0).abs() < 1e-12);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn local_points(&self, a: &Body, b: &Body, horizon: f64) -> [DVec3; 2] {
+        let time = self.fraction * horizon;
+        [a, b].map(|body| body.pose_after(time).local_point(self.point))
+    }
+}
+
 /// A contact, and whether it is news.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Finding {

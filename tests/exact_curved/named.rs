@@ -17,7 +17,11 @@ fn arch() -> Path {
 }
 
 fn point(u: f64) -> DVec3 {
-    DVec3::new(-2.0 + 12.0 * u * u - 8.0 * u * u * u, 2.0 - 12.0 * u + 12.0 * u * u, 0.0)
+    DVec3::new(
+        -2.0 + 12.0 * u * u - 8.0 * u * u * u,
+        2.0 - 12.0 * u + 12.0 * u * u,
+        0.0,
+    )
 }
 
 fn share(u: f64) -> f64 {
@@ -36,8 +40,16 @@ fn a_box_on_a_curve_meets_a_box() {
     let found = found.unwrap().unwrap();
     let u = 0.5 - 10_f64.to_radians().sin();
     assert!((u - 0.326_351_822_3).abs() < 1e-10);
-    assert!((found.fraction - 0.364_527_733_5).abs() < 1e-10, "{}", found.fraction);
-    assert!((found.fraction - share(u)).abs() < 1e-13, "{}", found.fraction - share(u));
+    assert!(
+        (found.fraction - 0.364_527_733_5).abs() < 1e-10,
+        "{}",
+        found.fraction
+    );
+    assert!(
+        (found.fraction - share(u)).abs() < 1e-13,
+        "{}",
+        found.fraction - share(u)
+    );
     assert_eq!(found.normal, DVec3::NEG_X);
     assert!((found.point.x + 0.5).abs() < 1e-12 && found.point.y.abs() <= 1.5);
 }
@@ -50,7 +62,11 @@ fn a_ball_on_a_curve_meets_a_ball() {
     let found = found.unwrap().unwrap();
     let u = 0.336_332_987_1;
     assert!((point(u).distance(DVec3::NEG_Y) - 1.0).abs() < 1e-9);
-    assert!((found.fraction - 0.372_865_609_9).abs() < 1e-10, "{}", found.fraction);
+    assert!(
+        (found.fraction - 0.372_865_609_9).abs() < 1e-10,
+        "{}",
+        found.fraction
+    );
     let centre = arch().position_at(8.0 * found.fraction);
     assert!((centre.distance(DVec3::NEG_Y) - 1.0).abs() < 1e-13);
     assert!(found.normal.distance(centre - DVec3::NEG_Y) < 1e-12);
@@ -60,8 +76,18 @@ fn a_ball_on_a_curve_meets_a_ball() {
 /// The thesis's scene 7's path, on which a ball of radius 1 comes by (0, 0, 0) straight down.
 fn scene_7(at: DVec3) -> (Body, Body, f64) {
     let path = Path::spline_with_tangents(
-        [[-5.0, 5.0, 0.0], [0.0, 0.0, 0.0], [-5.0, -5.0, 0.0], [-10.0, 0.0, 0.0]],
-        [[1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
+        [
+            [-5.0, 5.0, 0.0],
+            [0.0, 0.0, 0.0],
+            [-5.0, -5.0, 0.0],
+            [-10.0, 0.0, 0.0],
+        ],
+        [
+            [1.0, 0.0, 0.0],
+            [0.0, -1.0, 0.0],
+            [-1.0, 0.0, 0.0],
+            [0.0, 1.0, 0.0],
+        ],
     )
     .unwrap();
     let horizon = path.length();
@@ -72,7 +98,13 @@ fn scene_7(at: DVec3) -> (Body, Body, f64) {
 
 #[test]
 fn scene_8_is_found_to_the_nanometre() {
-    for (x, want) in [(2.0 - 1e-9, true), (2.0, true), (2.0 + 1e-9, false), (2.1, false), (1.9, true)] {
+    for (x, want) in [
+        (2.0 - 1e-9, true),
+        (2.0, true),
+        (2.0 + 1e-9, false),
+        (2.1, false),
+        (1.9, true),
+    ] {
         let (mover, fixed, horizon) = scene_7(DVec3::new(x, 0.0, 0.0));
         for (a, b) in [(&mover, &fixed), (&fixed, &mover)] {
             let found = first_contact(a, b, horizon, &Method::Exact).unwrap();
@@ -124,7 +156,12 @@ fn what_runs_beside_ends_in_bounded_time() {
     // Two balls that follow one path side by side.
     let side_by_side = |apart: f64| {
         let path = |y: f64| {
-            let points = [[0.0, y, 0.0], [3.0, y + 2.0, 1.0], [6.0, y, 3.0], [9.0, y - 5.0, 0.0]];
+            let points = [
+                [0.0, y, 0.0],
+                [3.0, y + 2.0, 1.0],
+                [6.0, y, 3.0],
+                [9.0, y - 5.0, 0.0],
+            ];
             Path::catmull_rom(points, feeler::Knots::Uniform).unwrap()
         };
         let ball = Sphere::new(0.5).unwrap();

@@ -56,8 +56,12 @@ impl Random {
                 let half = DVec3::splat(0.2) + 0.8 * self.vector().abs();
                 Cuboid::new(size * half).unwrap().into()
             }
-            2 => Cuboid::new(size * DVec3::new(1.0, 0.03, 0.03)).unwrap().into(),
-            3 => Cuboid::new(size * DVec3::new(1.0, 0.7, 0.03)).unwrap().into(),
+            2 => Cuboid::new(size * DVec3::new(1.0, 0.03, 0.03))
+                .unwrap()
+                .into(),
+            3 => Cuboid::new(size * DVec3::new(1.0, 0.7, 0.03))
+                .unwrap()
+                .into(),
             4 => {
                 let points: Vec<_> = (0..10).map(|_| size * self.direction()).collect();
                 Polytope::from_points(points).unwrap().into()
@@ -96,7 +100,9 @@ impl Draw {
         ];
         let mut speed = 0.0;
         let mut body = |random: &mut Random, side: f64, size: f64| {
-            let place = |random: &mut Random| far + scale * (2.0 * side * random.vector().abs() + 1.2 * random.vector());
+            let place = |random: &mut Random| {
+                far + scale * (2.0 * side * random.vector().abs() + 1.2 * random.vector())
+            };
             let from = place(random);
             let mut motion = match random.below(5) {
                 0 => Motion::fixed(from).unwrap(),
@@ -140,7 +146,9 @@ impl Draw {
                     speed += 2.0 * rate * size;
                     motion = motion.spin_about(point, random.direction(), -rate).unwrap();
                 }
-                3 if motion.path().is_some_and(|path| !path.is_straight()) && random.below(3) == 0 => {
+                3 if motion.path().is_some_and(|path| !path.is_straight())
+                    && random.below(3) == 0 =>
+                {
                     speed += 100.0 * scale / horizon;
                     let facing = Facing {
                         forward: DVec3::X,

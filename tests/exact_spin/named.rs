@@ -72,7 +72,11 @@ fn a_spinning_bar_misses_what_is_out_of_reach() {
             let place = [0.0, reach + 0.1 + beyond, 0.0];
             let ball = Body::fixed(Sphere::new(0.1).unwrap(), place);
             let found = first_contact(&bar(rate), &ball, 10.0 / rate, &Method::Exact);
-            assert_eq!(found.map(|found| found.is_some()), Ok(want), "{rate} {beyond}");
+            assert_eq!(
+                found.map(|found| found.is_some()),
+                Ok(want),
+                "{rate} {beyond}"
+            );
         }
     }
 }

@@ -64,8 +64,16 @@ fn solid(body: &Body, time: f64, origin: DVec3) -> Solid {
 
 /// How far `a` is above `b` along a unit vector.
 fn gap(a: &Solid, b: &Solid, axis: DVec3) -> f64 {
-    let low = a.corners.iter().map(|c| c.dot(axis)).fold(f64::MAX, f64::min);
-    let high = b.corners.iter().map(|c| c.dot(axis)).fold(f64::MIN, f64::max);
+    let low = a
+        .corners
+        .iter()
+        .map(|c| c.dot(axis))
+        .fold(f64::MAX, f64::min);
+    let high = b
+        .corners
+        .iter()
+        .map(|c| c.dot(axis))
+        .fold(f64::MIN, f64::max);
     low - high - a.radius - b.radius
 }
 
@@ -84,7 +92,11 @@ fn from_point(point: DVec3, body: &Solid) -> f64 {
     let mut inside = f64::NEG_INFINITY;
     let mut least = f64::MAX;
     for (&[a, b, c], normal) in body.triangles.iter().zip(&body.normals) {
-        let side = if normal.dot(a - middle) < 0.0 { -1.0 } else { 1.0 };
+        let side = if normal.dot(a - middle) < 0.0 {
+            -1.0
+        } else {
+            1.0
+        };
         let height = normal.dot(point - a);
         inside = inside.max(side * height);
         let over = [(a, b), (b, c), (c, a)]

@@ -15,7 +15,10 @@ fn casts() -> u64 {
 #[test]
 fn random_pairs_meet_when_the_oracle_says() {
     let (mut hits, mut misses, mut undecided, mut grazes) = (0, 0, 0, 0);
-    let first: u64 = std::env::var("SEED").ok().and_then(|s| s.parse().ok()).unwrap_or(0);
+    let first: u64 = std::env::var("SEED")
+        .ok()
+        .and_then(|s| s.parse().ok())
+        .unwrap_or(0);
     let count = casts();
     let mut wrong = Vec::new();
     for seed in first..first + count {
@@ -39,13 +42,19 @@ fn random_pairs_meet_when_the_oracle_says() {
                 let time = found.fraction * horizon;
                 let now = apart(&a, &b, time);
                 if now > slack {
-                    wrong.push(format!("{seed}: ghost {now:e} of {size:e} at {}", found.fraction));
+                    wrong.push(format!(
+                        "{seed}: ghost {now:e} of {size:e} at {}",
+                        found.fraction
+                    ));
                 }
                 match look.meets {
                     Some(meets) if (meets - time).abs() <= 1e-8 * horizon => {
                         let (gap, off) = witness(&a, &b, time, found.normal, found.point);
                         if gap.abs() > 10.0 * slack || off.iter().any(|o| o.abs() > 100.0 * slack) {
-                            wrong.push(format!("{seed}: gap {gap:e} off {off:?} of {size:e} {:?}", found));
+                            wrong.push(format!(
+                                "{seed}: gap {gap:e} off {off:?} of {size:e} {:?}",
+                                found
+                            ));
                         }
                     }
                     Some(meets) => {
@@ -66,14 +75,19 @@ fn random_pairs_meet_when_the_oracle_says() {
                 misses += 1;
                 let least = look.least_until(horizon);
                 if least < -slack {
-                    wrong.push(format!("{seed}: missed at {:?} {least:e} of {size:e}", look.meets));
+                    wrong.push(format!(
+                        "{seed}: missed at {:?} {least:e} of {size:e}",
+                        look.meets
+                    ));
                 }
             }
             Err(FirstContactError::Undecided { clear_until }) => {
                 undecided += 1;
                 let least = look.least_until(clear_until * horizon);
                 if least < -slack {
-                    wrong.push(format!("{seed}: undecided, but {least:e} before {clear_until}"));
+                    wrong.push(format!(
+                        "{seed}: undecided, but {least:e} before {clear_until}"
+                    ));
                 } else if std::env::var("SHOW").is_ok() {
                     let now = apart(&a, &b, clear_until * horizon);
                     eprintln!("{seed}: undecided from {clear_until}, {now:e} of {size:e}");

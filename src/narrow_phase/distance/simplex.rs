@@ -222,10 +222,7 @@ impl Simplex {
             flat |= height * height <= FLAT * FLAT * normal.length_squared() * longest;
             // On which side of a sliver's plane a point lies, rounding of its normal tells.
             let spread = to_j.length_squared() * to_k.length_squared();
-            let doubt = ROUNDED
-                * ROUNDED
-                * spread
-                * probe[i].point.length_squared().max(longest);
+            let doubt = ROUNDED * ROUNDED * spread * probe[i].point.length_squared().max(longest);
             *outside =
                 (origin * height).is_nan() || origin * height <= 0.0 || origin * origin <= doubt;
             within &= origin.abs() < height.abs();

@@ -46,6 +46,9 @@ const FAR: f64 = 0.05;
 /// Sine of the angle to the surface below which a motion slides along it.
 const SLIDE: f64 = 1e-7;
 
+/// Share of a frame that is rounding of the times at which pieces of paths meet.
+const ROUNDING: f64 = 1e-12;
+
 /// Share of a frame in which a body that faces its way may turn round unseen, where its path turns
 /// in a cusp or goes straight up.
 const FLIP: f64 = 1e-9;
@@ -130,6 +133,9 @@ impl<'a> Search<'_, 'a> {
         for (stretch, flight) in self.stretches.iter_mut().zip([self.a, self.b]) {
             if self.time >= stretch.to && stretch.to < 1.0 {
                 *stretch = flight.frame.stretch_at(flight.motion, self.time);
+                // Where pieces meet, and where a frame ends as a path does, rounding may find one for an
+                // ulp again and again.
+                stretch.to = stretch.to.max(self.time + ROUNDING).min(1.0);
                 self.allowance = self.allowance.saturating_add(STEPS_PER_STRETCH);
             }
         }

@@ -95,9 +95,7 @@ impl<'a> Flight<'a> {
 
     /// Where the body is at a fraction of the frame.
     pub(super) fn at(&self, fraction: f64) -> Instant<'a> {
-        let pose = self
-            .frame
-            .pose_at(self.motion, self.orientation, fraction);
+        let pose = self.frame.pose_at(self.motion, self.orientation, fraction);
         Instant {
             shape: self.shape,
             hub: self.hub,
@@ -111,10 +109,7 @@ impl<'a> Flight<'a> {
     pub(super) fn point_velocity(&self, point: DVec3, fraction: f64) -> DVec3 {
         /// Half of the digits.
         const SHARE: f64 = 1e-7;
-        let pose = |fraction: f64| {
-            self.frame
-                .pose_at(self.motion, self.orientation, fraction)
-        };
+        let pose = |fraction: f64| self.frame.pose_at(self.motion, self.orientation, fraction);
         let now = pose(fraction);
         let (other, share) = if fraction + SHARE <= 1.0 {
             (pose(fraction + SHARE), SHARE)
@@ -122,7 +117,8 @@ impl<'a> Flight<'a> {
             (pose(fraction - SHARE), -SHARE)
         };
         let local = now.local_point(point);
-        let moved = (other.position - now.position) + (other.direction(local) - now.direction(local));
+        let moved =
+            (other.position - now.position) + (other.direction(local) - now.direction(local));
         moved / share
     }
 

@@ -124,9 +124,7 @@ impl Window<'_> {
             let sway = |side: &Side<'_>| side.arm * side.spin.cross(turn).length();
             let closing = (-turn.dot(self.velocity)).max(0.0) + sway(&self.a) + sway(&self.b);
             // A normal that turns grows, as √(1 + σ²m²) at most.
-            bend += self.length * curved(turn)
-                + 2.0 * closing
-                + self.radii * turn.length_squared();
+            bend += self.length * curved(turn) + 2.0 * closing + self.radii * turn.length_squared();
         }
         bend * (1.0 + 16.0 * f64::EPSILON)
     }
