@@ -5,30 +5,30 @@ use glam::{DQuat, DVec3};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 
-pub struct Random(ChaCha8Rng);
+pub(crate) struct Random(ChaCha8Rng);
 
 impl Random {
-    pub fn seeded(seed: u64) -> Self {
+    pub(crate) fn seeded(seed: u64) -> Self {
         Self(ChaCha8Rng::seed_from_u64(seed))
     }
 
-    pub fn unit(&mut self) -> f64 {
+    pub(crate) fn unit(&mut self) -> f64 {
         (self.0.next_u64() >> 11) as f64 / (1_u64 << 53) as f64
     }
 
-    pub fn within(&mut self, min: f64, max: f64) -> f64 {
+    pub(crate) fn within(&mut self, min: f64, max: f64) -> f64 {
         min + (max - min) * self.unit()
     }
 
-    pub fn decades(&mut self, min: f64, max: f64) -> f64 {
+    pub(crate) fn decades(&mut self, min: f64, max: f64) -> f64 {
         10_f64.powf(self.within(min, max))
     }
 
-    pub fn below(&mut self, count: u64) -> u64 {
+    pub(crate) fn below(&mut self, count: u64) -> u64 {
         self.0.next_u64() % count
     }
 
-    pub fn vector(&mut self) -> DVec3 {
+    pub(crate) fn vector(&mut self) -> DVec3 {
         DVec3::new(
             self.within(-1.0, 1.0),
             self.within(-1.0, 1.0),
@@ -36,7 +36,7 @@ impl Random {
         )
     }
 
-    pub fn direction(&mut self) -> DVec3 {
+    pub(crate) fn direction(&mut self) -> DVec3 {
         loop {
             let vector = self.vector();
             if (0.1..=1.0).contains(&vector.length()) {
@@ -45,7 +45,7 @@ impl Random {
         }
     }
 
-    pub fn turn(&mut self) -> DQuat {
+    pub(crate) fn turn(&mut self) -> DQuat {
         DQuat::from_axis_angle(self.direction(), self.within(0.0, 6.0))
     }
 
@@ -77,17 +77,17 @@ impl Random {
 }
 
 /// Two bodies that may meet.
-pub struct Draw {
-    pub a: Body,
-    pub b: Body,
-    pub horizon: f64,
-    pub size: f64,
+pub(crate) struct Draw {
+    pub(crate) a: Body,
+    pub(crate) b: Body,
+    pub(crate) horizon: f64,
+    pub(crate) size: f64,
     /// Faster than any of their points approach each other.
-    pub speed: f64,
+    pub(crate) speed: f64,
 }
 
 impl Draw {
-    pub fn new(random: &mut Random) -> Self {
+    pub(crate) fn new(random: &mut Random) -> Self {
         let scale = random.decades(-3.0, 3.0);
         let horizon = random.decades(-2.0, 2.0);
         let far = match random.below(4) {

@@ -150,13 +150,19 @@ fn between(a: &Solid, b: &Solid) -> f64 {
 }
 
 /// What `between` says of two bodies at a time.
-pub fn apart(a: &Body, b: &Body, time: f64) -> f64 {
+pub(crate) fn apart(a: &Body, b: &Body, time: f64) -> f64 {
     let origin = b.pose_after(time).position;
     between(&solid(a, time, origin), &solid(b, time, origin))
 }
 
 /// How far two bodies are apart along `normal`, and how far a point is from either.
-pub fn witness(a: &Body, b: &Body, time: f64, normal: DVec3, point: DVec3) -> (f64, [f64; 2]) {
+pub(crate) fn witness(
+    a: &Body,
+    b: &Body,
+    time: f64,
+    normal: DVec3,
+    point: DVec3,
+) -> (f64, [f64; 2]) {
     let origin = b.pose_after(time).position;
     let (a, b) = (solid(a, time, origin), solid(b, time, origin));
     let off = |body: &Solid| from_point(point - origin, body) - body.radius;
@@ -165,16 +171,16 @@ pub fn witness(a: &Body, b: &Body, time: f64, normal: DVec3, point: DVec3) -> (f
 
 /// The times at which two bodies are nearest, as far as dense samples and what lies about them
 /// tell, and the first at which they meet.
-pub struct Look {
+pub(crate) struct Look {
     /// The first meeting.
-    pub meets: Option<f64>,
+    pub(crate) meets: Option<f64>,
     /// Least of `apart` up to some time.
     samples: Vec<(f64, f64)>,
 }
 
 impl Look {
     /// `speed` is an upper bound on how fast points approach each other.
-    pub fn at(a: &Body, b: &Body, horizon: f64, count: usize, speed: f64) -> Self {
+    pub(crate) fn at(a: &Body, b: &Body, horizon: f64, count: usize, speed: f64) -> Self {
         let step = horizon / count as f64;
         let apart = |time: f64| apart(a, b, time);
         let mut samples = Vec::with_capacity(count + 1);
@@ -226,7 +232,7 @@ impl Look {
     }
 
     /// The least of `apart` up to a time.
-    pub fn least_until(&self, time: f64) -> f64 {
+    pub(crate) fn least_until(&self, time: f64) -> f64 {
         let seen = self.samples.iter().filter(|sample| sample.0 <= time);
         seen.map(|sample| sample.1).fold(f64::MAX, f64::min)
     }

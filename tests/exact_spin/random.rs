@@ -52,8 +52,7 @@ fn random_pairs_meet_when_the_oracle_says() {
                         let (gap, off) = witness(&a, &b, time, found.normal, found.point);
                         if gap.abs() > 10.0 * slack || off.iter().any(|o| o.abs() > 100.0 * slack) {
                             wrong.push(format!(
-                                "{seed}: gap {gap:e} off {off:?} of {size:e} {:?}",
-                                found
+                                "{seed}: gap {gap:e} off {off:?} of {size:e} {found:?}"
                             ));
                         }
                     }

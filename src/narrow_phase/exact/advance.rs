@@ -141,7 +141,7 @@ impl<'a> Search<'_, 'a> {
         }
         let (a, b) = (self.a.at(self.time), self.b.at(self.time));
         let between = a.pose.position - b.pose.position;
-        let offset = between + (a.to_hub() - b.to_hub());
+        let offset = between + (a.hub_offset() - b.hub_offset());
         let distance = offset.length();
         let room = distance - self.reach();
         if room > FAR * self.reach() && self.time < 1.0 {
@@ -260,18 +260,18 @@ impl<'a> Search<'_, 'a> {
     fn advance(&mut self, window: &Window<'_>, normal: DVec3, distance: f64) {
         let floor = 0.5 * self.touch;
         let mut by = self.plane_advance(window, normal, floor);
-        if !(by > 0.0) {
+        if by <= 0.0 {
             // The plane does not say what the distance does; that of the features may.
             let (a, b) = (&window.a.instant.pose, &window.b.instant.pose);
             if let Some(closest) = closest_points(self.a.shape, a, self.b.shape, b) {
                 by = self.plane_advance(window, closest.normal, floor);
             }
         }
-        if window.turning.is_infinite() && !(by > 0.0) {
+        if window.turning.is_infinite() && by <= 0.0 {
             // Nothing is known of a jump, but where it ends.
             by = window.length;
         }
-        if !(by > 0.0) {
+        if by <= 0.0 {
             // Nobody is faster than this.
             let turning = |side: &Side<'_>| side.arm * side.spin.length();
             let speed = self.a.speed

@@ -153,7 +153,7 @@ pub(super) struct Instant<'a> {
 
 impl Instant<'_> {
     /// From the body's position to its hub, along the world's axes.
-    pub(super) fn to_hub(&self) -> DVec3 {
+    pub(super) fn hub_offset(&self) -> DVec3 {
         self.rotation * self.hub
     }
 

@@ -110,7 +110,7 @@ fn velocity_at(
     if window.stray + window.turning > 0.0 {
         return of(a, world) - of(b, world);
     }
-    let from_b = point - window.b.instant.to_hub();
+    let from_b = point - window.b.instant.hub_offset();
     let from_a = from_b - window.offset;
     window.velocity + window.a.spin.cross(from_a) - window.b.spin.cross(from_b)
 }

@@ -136,8 +136,7 @@ impl Window<'_> {
         const ROUNDS: u32 = 6;
         let bend = self.bend(plane);
         let start = self.lowest(plane, 0.0, bend, floor).start;
-        // False for NaN too.
-        if !(start > 0.0) {
+        if start.is_nan() || start <= 0.0 {
             return 0.0;
         }
         let mut end = self.length;
