@@ -288,7 +288,7 @@ pub enum StepError {
     },
 }
 
-/// What [`first_contact`](crate::first_contact) cannot work with.
+/// What [`first_contact`](crate::first_contact) cannot work with, or cannot tell.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[non_exhaustive]
 pub enum FirstContactError {
@@ -301,6 +301,13 @@ pub enum FirstContactError {
     /// The horizon.
     #[error(transparent)]
     Step(#[from] StepError),
+    /// The two come or stay so near to each other, without a touch, that the search
+    /// ran out of budget.
+    #[error("proven apart until {clear_until} of the horizon; undecided from there")]
+    Undecided {
+        /// Up to this fraction of the horizon the two are proven apart.
+        clear_until: f64,
+    },
 }
 
 /// A world cannot be asked this.

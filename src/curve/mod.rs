@@ -15,7 +15,7 @@ mod hodograph;
 mod quadratic;
 #[cfg_attr(
     not(test),
-    allow(dead_code, reason = "what certified casts along curves build on")
+    allow(dead_code, reason = "bounds by control points, kept for closer casts")
 )]
 mod section;
 mod span;
@@ -26,7 +26,7 @@ pub use bezier::CubicBezier;
 pub use spline::{Knots, Spline};
 pub use table::{ArcLengthRow, ArcLengthTable};
 
-pub(crate) use section::Section;
+pub(crate) use section::{Bending, Section};
 
 #[cfg(feature = "serde")]
 pub(crate) use data::{SplineData, SplineDataError};

@@ -79,14 +79,13 @@ impl Section {
     /// curvature is its size over `|v|³`, and `|v|` is at least the least
     /// share of a control point along the axis of the cone of tangents.
     pub(crate) fn curvature(&self) -> f64 {
-        let Some(cone) = self.tangents() else {
-            return f64::INFINITY;
-        };
+        self.tangents()
+            .map_or(f64::INFINITY, |cone| self.curvature_within(&cone))
+    }
+
+    fn curvature_within(&self, cone: &TangentCone) -> f64 {
         let [a, b, c] = self.velocity;
-        let slowest = [a, b, c]
-            .into_iter()
-            .map(|velocity| velocity.dot(cone.axis).abs())
-            .fold(f64::INFINITY, f64::min);
+        let slowest = cone.slowest(&self.velocity);
         // Over the stretch, both by its own parameter: one width in v', none in
         // the velocities here, which are by the cubic's.
         let cross = a
@@ -102,6 +101,53 @@ impl Section {
             bound * (1.0 + 32.0 * f64::EPSILON)
         }
     }
+
+    /// What bounds the share of the curvature along any vector; none beside a cusp.
+    pub(crate) fn bending(&self) -> Option<Bending> {
+        let cone = self.tangents()?;
+        let curvature = self.curvature_within(&cone);
+        let [a, b, c] = self.velocity;
+        let slowest = cone.slowest(&self.velocity);
+        let change = (b - a).length().max((c - b).length());
+        (curvature < f64::INFINITY).then_some(Bending {
+            velocity: self.velocity,
+            slowest,
+            change,
+            width: self.width.abs(),
+            curvature,
+        })
+    }
+}
+
+/// How much a stretch of a cubic bends at most.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Bending {
+    velocity: [DVec3; 3],
+    /// The velocity is at least this, by the parameter.
+    slowest: f64,
+    /// Its control points differ by this at most.
+    change: f64,
+    width: f64,
+    /// Per metre.
+    curvature: f64,
+}
+
+impl Bending {
+    /// An upper bound on the share of the curvature along a vector, per metre and in the vector's
+    /// length.
+    ///
+    /// With the unit tangent `T = v/|v|`, the curvature vector is `(v' − (v'·T) T)/|v|²`: where
+    /// neither velocity nor its change has a share along the vector, there is none.
+    pub(crate) fn along(&self, direction: DVec3) -> f64 {
+        let [a, b, c] = self.velocity.map(|velocity| velocity.dot(direction));
+        let change = (b - a).abs().max((c - b).abs());
+        let tangent = a.abs().max(b.abs()).max(c.abs()) / self.slowest;
+        let bound =
+            2.0 * (change + tangent * self.change) / (self.width * self.slowest * self.slowest);
+        // Of a NaN the other is taken.
+        let bound = bound.min(self.curvature * direction.length());
+        bound * (1.0 + 32.0 * f64::EPSILON)
+    }
 }
 
 /// Unit vectors within some angle, less than a right one, of an axis.
@@ -113,6 +159,12 @@ pub(crate) struct TangentCone {
 }
 
 impl TangentCone {
+    /// The least share along the axis of velocities in the cone.
+    fn slowest(&self, velocities: &[DVec3; 3]) -> f64 {
+        let [a, b, c] = velocities.map(|velocity| velocity.dot(self.axis).abs());
+        a.min(b).min(c)
+    }
+
     /// The greatest component along the unit vector `direction` of a vector in the cone.
     pub(crate) fn most_along(&self, direction: DVec3) -> f64 {
         let cosine = self.axis.dot(direction);

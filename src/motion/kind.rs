@@ -396,6 +396,15 @@ impl Motion {
         }
     }
 
+    /// The highest speed of the carried point, in metres per second.
+    pub(crate) fn top_speed(&self) -> f64 {
+        match &self.kind {
+            Kind::Fixed { .. } => 0.0,
+            Kind::Along(journey) => journey.speed,
+            Kind::Free { velocity, .. } => velocity.length(),
+        }
+    }
+
     /// The same turning about another course.
     ///
     /// A body that faced its way has none on the new one: it keeps the orientation it has.

@@ -6,7 +6,7 @@
 
 #[cfg_attr(
     not(test),
-    allow(dead_code, reason = "what certified casts along curves build on")
+    allow(dead_code, reason = "bounds by control points, kept for closer casts")
 )]
 mod bounds;
 #[cfg(feature = "serde")]
@@ -17,14 +17,15 @@ mod journey;
 mod kind;
 #[cfg_attr(
     not(test),
-    allow(dead_code, reason = "what certified casts along curves build on")
+    allow(dead_code, reason = "bounds by control points, kept for closer casts")
 )]
 mod leg;
+mod passage;
 mod path;
 mod spin;
 #[cfg_attr(
     not(test),
-    allow(dead_code, reason = "what certified casts along curves build on")
+    allow(dead_code, reason = "bounds by control points, kept for closer casts")
 )]
 mod stretch;
 #[cfg(test)]
@@ -38,4 +39,6 @@ pub use path::Path;
 pub use spin::Spin;
 
 pub(crate) use frame_motion::FrameMotion;
+pub(crate) use passage::{Bend, TurningRate};
+pub(crate) use stretch::Stretch;
 pub(crate) use turning::Turning;

@@ -5,9 +5,9 @@ use crate::geometry::{Pose, Shape, Sphere};
 use crate::narrow_phase::exact::{Touching, ball_ball};
 use crate::narrow_phase::overlap::overlap;
 use crate::tolerance::touch_tolerance;
-use crate::world::ContactKind;
-use crate::world::pair::{Finding, PairContact, SLIDE};
+use crate::world::pair::{Finding, SLIDE};
 use crate::world::tracks::{Span, Track};
+use crate::world::{ContactKind, PairContact};
 
 /// What [`examine`](super::pair::examine) finds of two balls in straight flight,
 /// to the bit, from their tracks alone.

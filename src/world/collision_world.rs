@@ -253,6 +253,21 @@ impl CollisionWorld {
             .velocity_after(self.time - resident.since))
     }
 
+    /// A contact's point in the first body's own coordinates and in the second's, in metres.
+    ///
+    /// From where the bodies' present motions have them at the contact's time.
+    ///
+    /// # Errors
+    /// If one of the bodies is gone.
+    pub fn local_points(&self, contact: &Contact) -> Result<[DVec3; 2], BodyError> {
+        let local = |id: BodyId| -> Result<DVec3, BodyError> {
+            let resident = self.resident(id)?;
+            let pose = resident.body.pose_after(contact.time - resident.since);
+            Ok(pose.local_point(contact.point))
+        };
+        Ok([local(contact.a)?, local(contact.b)?])
+    }
+
     /// A body's shape.
     ///
     /// # Errors

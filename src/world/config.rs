@@ -30,8 +30,10 @@ pub struct WorldConfig {
 pub enum Method {
     /// By one ray in configuration space: see [`exact`](crate::narrow_phase::exact).
     ///
-    /// Straight motions are exact to rounding, with separating normals; curves
-    /// are followed along chords within 1e-7 of the pair's size.
+    /// Straight motions are exact to rounding, with separating normals. On curves and in
+    /// rotation planes part the bodies for certain until they touch to within
+    /// [`TOUCH`](crate::tolerance::TOUCH): no touch is jumped over, and what comes or stays too near
+    /// for too long is told as undecided.
     #[default]
     Exact,
     /// By rays from their surfaces, as the thesis does.

@@ -128,7 +128,10 @@ impl Frame<'_> {
         };
         let (frame_a, frame_b) = (motion(first, a.data), motion(second, b.data));
         let (a, b) = (Mover::new(first, &frame_a), Mover::new(second, &frame_b));
-        pair::examine(solver, &a, &b, effort)
+        pair::examine(solver, &a, &b, effort).unwrap_or_else(|undecided| {
+            effort.undecided += 1;
+            pair::overlap_at_end(&a, &b, undecided)
+        })
     }
 
     fn note(&self, (first, second): (u32, u32), finding: Finding, findings: &mut Findings) {
@@ -177,6 +180,7 @@ impl Findings {
         self.resting.extend_from_slice(&other.resting);
         self.effort.stretches += other.effort.stretches;
         self.effort.rays += other.effort.rays;
+        self.effort.undecided += other.effort.undecided;
     }
 
     /// Bytes in use.

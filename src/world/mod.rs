@@ -47,6 +47,7 @@ mod contact;
 #[cfg(feature = "serde")]
 mod data;
 mod finding;
+mod first_contact;
 mod gate;
 mod groups;
 mod id;
@@ -64,9 +65,9 @@ pub use body::Body;
 pub use collision_world::CollisionWorld;
 pub use config::{Method, WorldConfig};
 pub use contact::{Contact, ContactKind};
+pub use first_contact::{PairContact, first_contact};
 pub use groups::Groups;
 pub use id::BodyId;
-pub use pair::{PairContact, first_contact};
 pub use queries::{BodyHit, QueryFilter};
 pub use stats::{PhaseTimes, StepStats};
 pub use step::Advance;

@@ -1,17 +1,15 @@
 //! One pair of bodies in one frame.
 
 use crate::early_out;
-use crate::error::{FirstContactError, StepError};
-use crate::geometry::{Feature, Pose, Shape};
-use crate::math::domain;
-use crate::motion::{FrameMotion, Motion};
-use crate::narrow_phase::exact::{self, Touching};
+use crate::geometry::{Pose, Shape};
+use crate::motion::{FrameMotion, Motion, Turning};
+use crate::narrow_phase::exact::{self, Encounter, Flight, Touching};
 use crate::narrow_phase::overlap::overlap;
 use crate::narrow_phase::rays::{Standing, part};
-use crate::tolerance::{MAX_TIME_STEP, MIN_TIME_STEP, touch_tolerance};
+use crate::tolerance::touch_tolerance;
 use crate::world::slots::Resident;
 use crate::world::solver::{Solver, Stretching};
-use crate::world::{Body, ContactKind, Method, WorldConfig};
+use crate::world::{Body, ContactKind, PairContact};
 use glam::{DQuat, DVec3};
 
 /// Sine of the angle to the surface below which a motion slides along it:
@@ -44,8 +42,43 @@ impl<'a> Mover<'a> {
         }
     }
 
+    /// A body outside of a world, with its [hub](Body::hub).
+    pub(crate) fn of(
+        (body, (centre_offset, reach)): (&'a Body, (DVec3, f64)),
+        frame: &'a FrameMotion,
+        points: &'a [DVec3],
+    ) -> Self {
+        Self {
+            shape: body.shape(),
+            orientation: body.orientation(),
+            motion: body.motion(),
+            frame,
+            centre_offset,
+            reach,
+            points,
+        }
+    }
+
     fn pose_at(&self, fraction: f64) -> Pose {
         self.frame.pose_at(self.motion, self.orientation, fraction)
+    }
+
+    fn flight(&self) -> Flight<'a> {
+        Flight::new(self.shape, self.motion, self.frame, self.orientation)
+    }
+
+    /// Whether it does more in the frame than move straight.
+    fn bends(&self) -> bool {
+        self.frame.curved || self.turns()
+    }
+
+    /// Whether it turns so that it can be seen: a ball about its centre cannot.
+    fn turns(&self) -> bool {
+        let about_centre = match self.motion.turning() {
+            Turning::Not | Turning::Facing(_) => true,
+            Turning::Spin(spin) => spin.point() == DVec3::ZERO,
+        };
+        self.motion.turns() && !(about_centre && matches!(self.shape, Shape::Sphere(_)))
     }
 
     fn displacement(&self, from: f64, to: f64) -> DVec3 {
@@ -53,27 +86,16 @@ impl<'a> Mover<'a> {
     }
 
     fn turn(&self, from: f64, to: f64) -> f64 {
-        self.frame.angle_between(self.motion, from, to)
+        if self.turns() {
+            self.frame.angle_between(self.motion, from, to)
+        } else {
+            0.0
+        }
     }
 
     fn deviation(&self, chord: DVec3, from: f64, to: f64) -> f64 {
         self.frame.deviation_from(self.motion, chord, from, to)
     }
-}
-
-/// A contact of a pair, before it is known which bodies these are in a world.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct PairContact {
-    /// When, as a share of the frame or horizon, in `0..=1`.
-    pub fraction: f64,
-    /// Where, in metres, with both bodies where they are at that time.
-    pub point: DVec3,
-    /// Unit normal, out of the second body towards the first.
-    pub normal: DVec3,
-    /// The parts that touch: of the first body, of the second.
-    pub features: [Feature; 2],
-    /// How it came about.
-    pub kind: ContactKind,
 }
 
 /// A contact, and whether it is news.
@@ -98,6 +120,15 @@ impl From<PairContact> for Finding {
 pub(crate) struct PairEffort {
     pub(crate) stretches: usize,
     pub(crate) rays: u64,
+    /// Pairs that ran out of budget.
+    pub(crate) undecided: usize,
+}
+
+/// A pair of which it could not be told within the budget whether it meets.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Undecided {
+    /// Up to this fraction the two are proven apart.
+    pub(crate) clear_until: f64,
 }
 
 /// First contact of a pair in the frame.
@@ -106,7 +137,8 @@ pub(crate) fn examine(
     a: &Mover<'_>,
     b: &Mover<'_>,
     effort: &mut PairEffort,
-) -> Option<Finding> {
+) -> Result<Option<Finding>, Undecided> {
+    let exact = matches!(solver, Solver::Exact);
     let mut pair = Pair {
         a,
         b,
@@ -118,23 +150,12 @@ pub(crate) fn examine(
     if pair.stretching.reports_overlaps
         && let Some(contact) = pair.overlap_at(0.0)
     {
-        return Some(contact.into());
+        return Ok(Some(contact.into()));
     }
-    // Where paths begin and end bodies set out, turn round and stop; between such
-    // moments motions are smooth.
-    let mut from = 0.0;
-    for _ in 0..MAX_BREAKS {
-        let next = |mover: &Mover<'_>| mover.frame.next_break(mover.motion, from);
-        let to = next(a).min(next(b));
-        if let Some(finding) = pair.examine_smooth(from, to) {
-            return Some(finding);
-        }
-        from = to;
-        if from >= 1.0 {
-            return None;
-        }
+    if exact && (a.bends() || b.bends()) {
+        return pair.examine_curved();
     }
-    pair.examine_smooth(from, 1.0)
+    Ok(pair.examine_chords())
 }
 
 /// Radians that two bodies may turn together on a stretch, which is examined
@@ -149,6 +170,24 @@ const TURN: f64 = 1e-2;
 /// body turns round by as much as chords may stray.
 const MAX_BREAKS: u32 = 10_000;
 
+/// The touch of a pair that could not be decided, if it overlaps as the frame ends: it met some time
+/// after it was last proven apart.
+pub(crate) fn overlap_at_end(
+    a: &Mover<'_>,
+    b: &Mover<'_>,
+    undecided: Undecided,
+) -> Option<Finding> {
+    let found = overlap(a.shape, &a.pose_at(1.0), b.shape, &b.pose_at(1.0))?;
+    let contact = PairContact {
+        fraction: undecided.clear_until,
+        point: found.point,
+        normal: found.direction,
+        features: [found.feature_a, found.feature_b],
+        kind: ContactKind::Touch,
+    };
+    Some(contact.into())
+}
+
 struct Pair<'a> {
     a: &'a Mover<'a>,
     b: &'a Mover<'a>,
@@ -160,6 +199,54 @@ struct Pair<'a> {
 }
 
 impl Pair<'_> {
+    /// By stretches along chords, which straight motions are.
+    fn examine_chords(&mut self) -> Option<Finding> {
+        // Where paths begin and end bodies set out, turn round and stop; between such
+        // moments motions are smooth.
+        let mut from = 0.0;
+        for _ in 0..MAX_BREAKS {
+            let next = |mover: &Mover<'_>| mover.frame.next_break(mover.motion, from);
+            let to = next(self.a).min(next(self.b));
+            if let Some(finding) = self.examine_smooth(from, to) {
+                return Some(finding);
+            }
+            from = to;
+            if from >= 1.0 {
+                return None;
+            }
+        }
+        self.examine_smooth(from, 1.0)
+    }
+
+    /// On the true curves, and turning.
+    fn examine_curved(&mut self) -> Result<Option<Finding>, Undecided> {
+        let (a, b) = (self.a.flight(), self.b.flight());
+        let positions = [self.a, self.b].map(|mover| mover.frame.start);
+        let coordinate = positions[0].abs().max(positions[1].abs()).max_element();
+        let touch = touch_tolerance(self.reach(), coordinate);
+        let (touching, resting) =
+            match exact::encounter((&a, &b), touch, &mut self.effort.stretches) {
+                Encounter::Touch { touching, .. } => (touching, false),
+                Encounter::Resting(touching) => (touching, true),
+                Encounter::Apart => return Ok(None),
+                Encounter::Undecided { clear_until } => return Err(Undecided { clear_until }),
+            };
+        let Touching {
+            fraction,
+            point,
+            normal,
+            features,
+        } = touching;
+        let contact = PairContact {
+            fraction,
+            point: self.b.pose_at(fraction).position + point,
+            normal,
+            features,
+            kind: ContactKind::Touch,
+        };
+        Ok(Some(Finding { contact, resting }))
+    }
+
     fn reach(&self) -> f64 {
         self.a.reach + self.b.reach
     }
@@ -338,53 +425,4 @@ impl Pair<'_> {
             resting: touching && from <= 0.0,
         })
     }
-}
-
-/// First contact of two bodies within `horizon` seconds, without a world.
-///
-/// `a` is the first body whatever moves: the normal leads out of `b` towards
-/// `a`, and where only one body sends rays it is `a`. Fractions count in
-/// horizons. Both motions begin at once.
-///
-/// # Errors
-/// As [`CollisionWorld::insert`](crate::CollisionWorld::insert),
-/// [`CollisionWorld::new`](crate::CollisionWorld::new) and
-/// [`CollisionWorld::step`](crate::CollisionWorld::step) for bodies, method and
-/// horizon.
-///
-/// ```
-/// use feeler::{Body, FirstContactError, Method, Motion, Sphere, first_contact};
-///
-/// let ball = Body::moving(Sphere::new(1.0)?, Motion::free([3.0, 0.0, 0.0], [-1.0, 0.0, 0.0])?);
-/// let target = Body::fixed(Sphere::new(1.0)?, [0.0, 0.0, 0.0]);
-/// let contact = first_contact(&ball, &target, 2.0, &Method::default())?;
-/// assert_eq!(contact.map(|contact| contact.fraction), Some(0.5));
-///
-/// let never = first_contact(&ball, &target, -1.0, &Method::default());
-/// assert!(matches!(never, Err(FirstContactError::Step(_))));
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-pub fn first_contact(
-    a: &Body,
-    b: &Body,
-    horizon: f64,
-    method: &Method,
-) -> Result<Option<PairContact>, FirstContactError> {
-    let config = WorldConfig {
-        method: *method,
-        ..WorldConfig::default()
-    }
-    .checked()?;
-    let mut solver = Solver::new(config.method);
-    domain::within("horizon", horizon, MIN_TIME_STEP, MAX_TIME_STEP).map_err(StepError::from)?;
-    let resident = |body: &Body| -> Result<Resident, FirstContactError> {
-        let mut resident = Resident::new(body.clone().checked()?, 0.0, &solver);
-        resident.frame = FrameMotion::new(resident.body.motion(), 0.0, horizon);
-        Ok(resident)
-    };
-    let (a, b) = (resident(a)?, resident(b)?);
-    let mut effort = PairEffort::default();
-    let (a, b) = (Mover::new(&a, &a.frame), Mover::new(&b, &b.frame));
-    let finding = examine(&mut solver, &a, &b, &mut effort);
-    Ok(finding.map(|finding| finding.contact))
 }

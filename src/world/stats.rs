@@ -15,8 +15,14 @@ pub struct StepStats {
     /// Pairs that the narrow phase examined.
     pub examined: usize,
     /// Stretches of straight relative motion that these fell into and that no
-    /// early-out rejected.
+    /// early-out rejected; steps from plane to plane for curved and spinning bodies.
     pub stretches: usize,
+    /// Pairs of bodies on curves or in rotation that came or stayed so near to each
+    /// other that the search ran out of budget.
+    ///
+    /// If one overlaps as the frame ends, its touch is told, at the moment until which it is proven
+    /// apart; else a touch in the rest of the frame went unseen, if there was one.
+    pub undecided: usize,
     /// Rays cast.
     pub rays: u64,
     /// Contacts found.

@@ -290,6 +290,7 @@ impl CollisionWorld {
         frame.examine_all(&self.passed.pairs, &mut self.solver, &mut self.findings);
         let effort = self.findings.effort;
         (stats.stretches, stats.rays) = (effort.stretches, effort.rays);
+        stats.undecided = effort.undecided;
     }
 
     /// Lets time pass, and remembers which pairs touch from now on.

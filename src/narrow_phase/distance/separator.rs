@@ -90,6 +90,11 @@ impl<'a> Separator<'a> {
         }
     }
 
+    /// Vertices that were nearest, pairs of A's and B's.
+    pub(in crate::narrow_phase) fn nearest_vertices(&self) -> &[[u32; 2]] {
+        &self.kept[..self.count]
+    }
+
     /// From B's centre to A's.
     #[inline]
     pub(super) fn offset(&self, between: DVec3) -> DVec3 {

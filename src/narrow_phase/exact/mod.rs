@@ -7,6 +7,7 @@
 //! for with support functions, and time, point and normal are computed afresh
 //! from the features that touch.
 
+mod advance;
 mod ball_approach;
 mod ball_ball;
 mod ball_capsule;
@@ -27,6 +28,8 @@ mod edges;
 mod extremes;
 mod faces;
 mod flat;
+mod flight;
+mod meeting;
 mod normal_cone;
 mod pair;
 mod patch;
@@ -34,6 +37,8 @@ mod portal;
 mod settle;
 mod slab;
 mod snap;
+mod turning;
+mod window;
 
 pub use ball_ball::ball_ball;
 pub use ball_crossing::ball_crossing;
@@ -43,3 +48,6 @@ pub use contact_patch::contact_patch;
 pub use crossing::{Crossing, Touching};
 pub use flat::{flat_crossing, flat_touch};
 pub use normal_cone::normal_cone;
+
+pub(crate) use advance::{Encounter, encounter};
+pub(crate) use flight::Flight;

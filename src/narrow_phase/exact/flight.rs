@@ -1,0 +1,209 @@
+//! A body in flight, and where it is at a moment.
+
+use crate::geometry::{Pose, Shape};
+use crate::motion::{FrameMotion, Motion, Turning};
+use glam::{DMat3, DQuat, DVec3};
+
+/// A body that moves and turns in one frame.
+///
+/// Its *hub* is the point of the body about which it turns and that its motion carries: the point of
+/// a spin's axis nearest to the shape's centre, the body's origin if it faces its way, or
+/// the shape's centre.
+#[derive(Clone, Copy)]
+pub(crate) struct Flight<'a> {
+    pub(super) shape: &'a Shape,
+    pub(super) motion: &'a Motion,
+    pub(super) frame: &'a FrameMotion,
+    orientation: DQuat,
+    /// The hub in the body's own frame.
+    hub: DVec3,
+    /// No vertex of the core is farther from the hub, in metres; of a spin, from its axis.
+    pub(super) arm: f64,
+    /// The core lies between these heights above the hub along a spin's axis.
+    extent: [f64; 2],
+    /// How far the shape reaches beyond its core: a sphere's radius.
+    pub(super) radius: f64,
+    /// No point is farther from the hub, in metres.
+    pub(super) reach: f64,
+    /// The highest speed of the hub, in metres per frame.
+    pub(super) speed: f64,
+}
+
+impl<'a> Flight<'a> {
+    /// `orientation` is how the body was turned as its motion began.
+    pub(crate) fn new(
+        shape: &'a Shape,
+        motion: &'a Motion,
+        frame: &'a FrameMotion,
+        orientation: DQuat,
+    ) -> Self {
+        let (centre, size) = (shape.centre(), shape.max_dist());
+        let radius = match shape {
+            Shape::Sphere(sphere) => sphere.radius(),
+            _ => 0.0,
+        };
+        // Turning things rounds them by a few ulp of their size.
+        let grown = |length: f64| length + 16.0 * f64::EPSILON * (length + centre.length());
+        let mut flight = Self {
+            shape,
+            motion,
+            frame,
+            orientation,
+            hub: centre,
+            arm: size - radius,
+            extent: [radius - size, size - radius],
+            radius,
+            reach: grown(size),
+            speed: frame.highest_speed(motion),
+        };
+        match motion.turning() {
+            Turning::Not => {}
+            Turning::Facing(_) => {
+                flight.hub = DVec3::ZERO;
+                flight.reach = grown(size + centre.length());
+                flight.arm = flight.reach - radius;
+                flight.extent = [-flight.arm, flight.arm];
+            }
+            Turning::Spin(spin) => {
+                let axis = orientation.conjugate() * spin.axis();
+                flight.hub = spin.point() + (centre - spin.point()).dot(axis) * axis;
+                let (mut arm, mut low, mut high) = (0.0_f64, 0.0_f64, 0.0_f64);
+                flight.each_vertex(|vertex| {
+                    let offset = vertex - flight.hub;
+                    let height = offset.dot(axis);
+                    arm = arm.max((offset - height * axis).length());
+                    (low, high) = (low.min(height), high.max(height));
+                });
+                let rounding = grown(0.0) + 16.0 * f64::EPSILON * (size + flight.hub.length());
+                flight.arm = arm + rounding;
+                flight.extent = [low - rounding, high + rounding];
+                let distance = (centre - flight.hub).length();
+                flight.reach = grown(size + distance) + rounding;
+            }
+        }
+        flight
+    }
+
+    fn each_vertex(&self, mut visit: impl FnMut(DVec3)) {
+        match self.shape {
+            Shape::Sphere(_) => visit(DVec3::ZERO),
+            Shape::Cuboid(cuboid) => cuboid.vertices().into_iter().for_each(visit),
+            Shape::Triangle(triangle) => triangle.vertices().into_iter().for_each(visit),
+            Shape::Polytope(polytope) => polytope.vertices().iter().copied().for_each(visit),
+        }
+    }
+
+    /// Where the body is at a fraction of the frame.
+    pub(super) fn at(&self, fraction: f64) -> Instant<'a> {
+        let pose = self.frame.pose_at(self.motion, self.orientation, fraction);
+        Instant {
+            shape: self.shape,
+            hub: self.hub,
+            rotation: DMat3::from_quat(pose.orientation),
+            pose,
+        }
+    }
+
+    /// How fast the body's point moves that is at `point` of the world at `fraction`, metres per
+    /// frame, by a difference.
+    pub(super) fn point_velocity(&self, point: DVec3, fraction: f64) -> DVec3 {
+        /// Half of the digits.
+        const SHARE: f64 = 1e-7;
+        let pose = |fraction: f64| self.frame.pose_at(self.motion, self.orientation, fraction);
+        let now = pose(fraction);
+        let (other, share) = if fraction + SHARE <= 1.0 {
+            (pose(fraction + SHARE), SHARE)
+        } else {
+            (pose(fraction - SHARE), -SHARE)
+        };
+        let local = now.local_point(point);
+        let moved =
+            (other.position - now.position) + (other.direction(local) - now.direction(local));
+        moved / share
+    }
+
+    /// Whether it turns in a way that moves its surface.
+    pub(super) fn turns(&self) -> bool {
+        self.motion.turns() && self.arm > 0.0
+    }
+
+    /// The least `n · r` of all points `r` of the core from the hub, however a spin about
+    /// `axis` has turned them; of a body that turns otherwise, however it is turned.
+    pub(super) fn lowest_ever(&self, normal: DVec3) -> f64 {
+        match self.motion.turning() {
+            Turning::Spin(spin) => {
+                let height = normal.dot(spin.axis());
+                let aside = normal.cross(spin.axis()).length();
+                let [low, high] = self.extent;
+                (height * low).min(height * high) - aside * self.arm
+            }
+            Turning::Not | Turning::Facing(_) => -self.arm * normal.length(),
+        }
+    }
+}
+
+/// A body where it is at a moment of its flight.
+#[derive(Clone, Copy)]
+pub(super) struct Instant<'a> {
+    shape: &'a Shape,
+    hub: DVec3,
+    rotation: DMat3,
+    pub(super) pose: Pose,
+}
+
+impl Instant<'_> {
+    /// From the body's position to its hub, along the world's axes.
+    pub(super) fn hub_offset(&self) -> DVec3 {
+        self.rotation * self.hub
+    }
+
+    /// From the hub to a vertex of the core, along the world's axes.
+    pub(super) fn vertex(&self, index: u32) -> DVec3 {
+        self.rotation * (self.local(index) - self.hub)
+    }
+
+    fn local(&self, index: u32) -> DVec3 {
+        match self.shape {
+            Shape::Sphere(_) => DVec3::ZERO,
+            Shape::Cuboid(cuboid) => {
+                let side = |bit: u32| 2.0 * f64::from(index >> bit & 1) - 1.0;
+                cuboid.half_extents() * DVec3::new(side(0), side(1), side(2))
+            }
+            Shape::Triangle(triangle) => triangle.vertices()[index as usize % 3],
+            Shape::Polytope(polytope) => polytope.vertices()[index as usize],
+        }
+    }
+
+    /// From the hub to the point of the core that lies least far along a direction.
+    pub(super) fn lowest(&self, direction: DVec3) -> DVec3 {
+        let local = self.rotation.transpose() * direction;
+        let offset = match self.shape {
+            Shape::Sphere(_) => -self.hub,
+            Shape::Cuboid(cuboid) => {
+                let half = cuboid.half_extents();
+                // Not `signum`, which of zero depends on its sign.
+                let side = |length: f64, along: f64| if along > 0.0 { -length } else { length };
+                DVec3::new(
+                    side(half.x, local.x),
+                    side(half.y, local.y),
+                    side(half.z, local.z),
+                ) - self.hub
+            }
+            Shape::Triangle(triangle) => {
+                let [a, b, c] = triangle.vertices().map(|vertex| vertex - self.hub);
+                let heights = [a, b, c].map(|vertex| vertex.dot(local));
+                if heights[0] <= heights[1] && heights[0] <= heights[2] {
+                    a
+                } else if heights[1] <= heights[2] {
+                    b
+                } else {
+                    c
+                }
+            }
+            Shape::Polytope(polytope) => {
+                polytope.vertices()[polytope.support(-local) as usize] - self.hub
+            }
+        };
+        self.rotation * offset
+    }
+}

@@ -1,0 +1,116 @@
+//! How two bodies stand that have just met.
+
+use super::flight::Flight;
+use super::window::Window;
+use super::{Touching, touch as cast};
+use crate::geometry::{Feature, Pose, Shape};
+use crate::narrow_phase::distance::closest_points;
+use crate::narrow_phase::overlap::overlap;
+use glam::DVec3;
+
+/// Two bodies in touch.
+pub(super) struct Meeting {
+    pub(super) touching: Touching,
+    /// How fast they approach at the point of touch, across its plane, metres per frame.
+    pub(super) closing: f64,
+    /// How fast they move there, metres per frame.
+    pub(super) speed: f64,
+}
+
+/// Share of the pair's size that a touch may be away along the motion.
+const NEAR: f64 = 1e-6;
+
+/// The touch of two bodies that are nearer than `touch` metres at `time`; `normal` is that of the
+/// last plane between them, if there was one.
+///
+/// Where the features are known to touch, the last bit of the way is straight: one exact cast with
+/// the velocity of the point of touch gives time, point, normal and features.
+pub(super) fn meet(
+    (a, b): (&Flight<'_>, &Flight<'_>),
+    window: &Window<'_>,
+    normal: Option<DVec3>,
+    time: f64,
+    touch: f64,
+) -> Option<Meeting> {
+    let (pose_a, pose_b) = (window.a.instant.pose, window.b.instant.pose);
+    let (shape_a, shape_b) = (a.shape, b.shape);
+    let reach = a.reach + b.reach;
+    let (mut touching, gap) = nearest(shape_a, &pose_a, shape_b, &pose_b)
+        .or_else(|| {
+            let straight = |motion: DVec3| {
+                let found = cast(shape_a, &pose_a, shape_b, &pose_b, motion)?;
+                let near = found.fraction.abs() * motion.length() <= NEAR * reach;
+                near.then_some((found, 0.0))
+            };
+            let guess = normal.unwrap_or(window.offset.normalize_or(DVec3::X));
+            straight(velocity_at(a, b, window, DVec3::ZERO, time))
+                .or_else(|| straight(-reach * guess))
+        })
+        .unwrap_or((
+            Touching {
+                fraction: 0.0,
+                point: 0.5 * (pose_a.position - pose_b.position),
+                normal: normal.unwrap_or(window.offset.normalize_or(DVec3::X)),
+                features: [Feature::Surface; 2],
+            },
+            0.0,
+        ));
+    let velocity = velocity_at(a, b, window, touching.point, time);
+    let speed = velocity.length();
+    let mut later = gap / -touching.normal.dot(velocity);
+    if let Some(found) = cast(shape_a, &pose_a, shape_b, &pose_b, velocity) {
+        let near = found.fraction.abs() * speed <= NEAR * reach;
+        let steep = -found.normal.dot(velocity) > NEAR * speed;
+        if near && steep && found.normal.dot(touching.normal) > 0.99 {
+            later = found.fraction;
+            touching = found;
+        }
+    }
+    let closing = -touching.normal.dot(velocity);
+    let late = later > 0.0 && later * speed <= NEAR * reach + 4.0 * touch;
+    touching.fraction = (time + if late { later } else { 0.0 }).min(1.0);
+    Some(Meeting {
+        touching,
+        closing,
+        speed,
+    })
+}
+
+/// The nearest points, or the deepest ones of bodies that overlap.
+fn nearest(a: &Shape, pose_a: &Pose, b: &Shape, pose_b: &Pose) -> Option<(Touching, f64)> {
+    if let Some(closest) = closest_points(a, pose_a, b, pose_b) {
+        let touching = Touching {
+            fraction: 0.0,
+            point: closest.point_b,
+            normal: closest.normal,
+            features: [closest.feature_a, closest.feature_b],
+        };
+        return Some((touching, closest.distance));
+    }
+    let overlap = overlap(a, pose_a, b, pose_b)?;
+    let touching = Touching {
+        fraction: 0.0,
+        point: overlap.point - pose_b.position,
+        normal: overlap.direction,
+        features: [overlap.feature_a, overlap.feature_b],
+    };
+    Some((touching, 0.0))
+}
+
+/// How fast A's point moves relative to B's that lies at `point` from B's position.
+fn velocity_at(
+    a: &Flight<'_>,
+    b: &Flight<'_>,
+    window: &Window<'_>,
+    point: DVec3,
+    time: f64,
+) -> DVec3 {
+    let of = |flight: &Flight<'_>, world: DVec3| flight.point_velocity(world, time);
+    let world = window.b.instant.pose.position + point;
+    if window.stray + window.turning > 0.0 {
+        return of(a, world) - of(b, world);
+    }
+    let from_b = point - window.b.instant.hub_offset();
+    let from_a = from_b - window.offset;
+    window.velocity + window.a.spin.cross(from_a) - window.b.spin.cross(from_b)
+}

@@ -1,0 +1,182 @@
+//! How long a plane parts two bodies for certain.
+
+use super::flight::Instant;
+use crate::motion::Bend;
+use glam::DVec3;
+
+/// A plane between two bodies whose normal turns as they move: `normal + σ · turn` at `σ` frames
+/// from now.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Plane {
+    /// Unit vector out of B, towards A.
+    pub(super) normal: DVec3,
+    /// Across `normal`.
+    pub(super) turn: DVec3,
+}
+
+/// What is known of the motion of one body on a window.
+#[derive(Clone, Copy)]
+pub(super) struct Side<'a> {
+    pub(super) instant: Instant<'a>,
+    /// Angular velocity, radians per frame.
+    pub(super) spin: DVec3,
+    /// No vertex of the core is farther from the axis, in metres.
+    pub(super) arm: f64,
+}
+
+/// Two bodies on a window of a frame.
+///
+/// With the hubs' offset `D`, vertices `a` and `b` seen from the hubs, and the plane's normal
+/// `n(σ) = n + σm`, the height of `a` above `b` is
+/// `f(σ) = n(σ)·(D + a − b + σw + E(σ))`, where `w = v + ω_A×a − ω_B×b` is how fast `a` moves relative
+/// to `b`, and `E` what accelerations do: `|E·n| ≤ ½σ²·(c|n| + Σ ω²ρ|n×e|)`. So
+/// `f ≥ p + qσ − ½Mσ²` with `p = n·(D+a−b)`, `q = m·(D+a−b) + n·w`, and one `M` for all
+/// vertices. The least of these parabolas over all vertices is concave: positive at both ends of an
+/// interval, it is so in between, and its value at `σ` takes one support of each body, along
+/// `n + σ(m + n×ω)`, because `n·(ω×a) = a·(n×ω)`.
+#[derive(Clone, Copy)]
+pub(super) struct Window<'a> {
+    pub(super) a: Side<'a>,
+    pub(super) b: Side<'a>,
+    /// From B's hub to A's.
+    pub(super) offset: DVec3,
+    /// Of A's hub relative to B's, metres per frame.
+    pub(super) velocity: DVec3,
+    /// What bends the hubs' courses.
+    pub(super) bends: [Bend; 2],
+    /// What else the hubs may do, upper bound, metres per frame.
+    pub(super) stray: f64,
+    /// What turning other than a spin may do, upper bound, metres per frame.
+    pub(super) turning: f64,
+    /// Sum of the radii around the cores.
+    pub(super) radii: f64,
+    /// How long it lasts, in frames.
+    pub(super) length: f64,
+    /// The fraction of the frame at which it ends.
+    pub(super) to: f64,
+}
+
+/// The parabola `start + slope·σ − ½·bend·σ²`.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Parabola {
+    pub(super) start: f64,
+    pub(super) slope: f64,
+    pub(super) bend: f64,
+}
+
+impl Parabola {
+    pub(super) fn at(&self, time: f64) -> f64 {
+        self.start + time * (self.slope - 0.5 * time * self.bend)
+    }
+
+    /// Where it comes down to zero that begins above; infinite if never.
+    pub(super) fn root(&self) -> f64 {
+        let root = (self.slope * self.slope + 2.0 * self.bend * self.start).sqrt();
+        let time = if self.slope > 0.0 {
+            (self.slope + root) / self.bend
+        } else {
+            2.0 * self.start / (root - self.slope)
+        };
+        // 0/0 of what stays as it is.
+        if time.is_nan() { f64::INFINITY } else { time }
+    }
+}
+
+impl Window<'_> {
+    /// The least height above `floor` of a pair of vertices at `time` from now, and its parabola.
+    fn lowest(&self, plane: &Plane, time: f64, bend: f64, floor: f64) -> Parabola {
+        let Plane { normal, turn } = *plane;
+        let along = |spin: DVec3| normal + time * (turn + normal.cross(spin));
+        let a = self.a.instant.lowest(along(self.a.spin));
+        let b = self.b.instant.lowest(-along(self.b.spin));
+        let apart = self.offset + (a - b);
+        let velocity = self.velocity + (self.a.spin.cross(a) - self.b.spin.cross(b));
+        let stray = (self.stray + self.turning) * (1.0 + self.length * turn.length());
+        Parabola {
+            start: normal.dot(apart) - self.radii - floor,
+            slope: turn.dot(apart) + normal.dot(velocity) - stray,
+            bend,
+        }
+    }
+
+    /// The least height of a pair of vertices now, and how it changes at least.
+    pub(super) fn now(&self, plane: &Plane) -> Parabola {
+        self.lowest(plane, 0.0, self.bend(plane), 0.0)
+    }
+
+    /// Upper bound of the hubs' acceleration's share along a vector, metres per frame and frame.
+    pub(super) fn acceleration(&self, direction: DVec3) -> f64 {
+        let [a, b] = &self.bends;
+        a.along(direction) + b.along(direction)
+    }
+
+    /// `M`.
+    fn bend(&self, plane: &Plane) -> f64 {
+        let curved = |direction: DVec3| {
+            let turned = |side: &Side<'_>| {
+                side.arm * side.spin.length() * side.spin.cross(direction).length()
+            };
+            self.acceleration(direction) + turned(&self.a) + turned(&self.b)
+        };
+        let turn = plane.turn;
+        let mut bend = curved(plane.normal);
+        if turn != DVec3::ZERO {
+            let sway = |side: &Side<'_>| side.arm * side.spin.cross(turn).length();
+            let closing = (-turn.dot(self.velocity)).max(0.0) + sway(&self.a) + sway(&self.b);
+            // A normal that turns grows, as √(1 + σ²m²) at most.
+            bend += self.length * curved(turn) + 2.0 * closing + self.radii * turn.length_squared();
+        }
+        bend * (1.0 + 16.0 * f64::EPSILON)
+    }
+
+    /// How long the plane parts the bodies by more than about `floor` for certain, up to the window's
+    /// length; 0 if it does not.
+    pub(super) fn clear_for(&self, plane: &Plane, floor: f64) -> f64 {
+        /// Each settles which vertices are lowest; two or three do as a rule.
+        const ROUNDS: u32 = 6;
+        let bend = self.bend(plane);
+        let start = self.lowest(plane, 0.0, bend, floor).start;
+        if start.is_nan() || start <= 0.0 {
+            return 0.0;
+        }
+        let mut end = self.length;
+        for _ in 0..ROUNDS {
+            let parabola = self.lowest(plane, end, bend, floor);
+            let low = parabola.at(end);
+            if low >= -0.25 * floor {
+                return end;
+            }
+            // The lowest pair there meets the ground before, and the lowest of all not later.
+            let root = parabola.root();
+            if !(parabola.start > 0.0 && root < end) {
+                // Concave: above its chord.
+                return end * (start / (start - low));
+            }
+            end = root;
+        }
+        let low = self.lowest(plane, end, bend, floor).at(end);
+        if low >= 0.0 {
+            end
+        } else {
+            end * (start / (start - low))
+        }
+    }
+
+    /// A time until which two bodies part that touch now; none if it is not certain that they do.
+    ///
+    /// The least parabola is concave and begins near zero: where it is positive later it
+    /// was so all the time but for the very beginning.
+    pub(super) fn parted_after(&self, plane: &Plane, floor: f64) -> Option<f64> {
+        /// Each a quarter of the one before.
+        const TRIES: u32 = 16;
+        let bend = self.bend(plane);
+        let mut time = self.length;
+        for _ in 0..TRIES {
+            if self.lowest(plane, time, bend, floor).at(time) >= floor {
+                return Some(time);
+            }
+            time *= 0.25;
+        }
+        None
+    }
+}

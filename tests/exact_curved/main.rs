@@ -1,0 +1,10 @@
+//! First contact of bodies on curves.
+
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    reason = "helpers outside the test functions build from input that is fine, or fail the test"
+)]
+
+mod named;
+mod seams;
