@@ -132,6 +132,18 @@ fn in_order(a: &Shape, pose_a: &Pose, b: &Shape, pose_b: &Pose) -> Option<Overla
     }
 }
 
+/// [`overlap`] of two balls, to the bit: their centres and radii.
+#[inline]
+pub(crate) fn of_balls(a: (DVec3, f64), b: (DVec3, f64)) -> Option<Overlap> {
+    let coordinate = a.0.abs().max(b.0.abs()).max_element();
+    let touch = touch_tolerance(a.1 + b.1, coordinate);
+    if order::balls(a, b).is_gt() {
+        sphere::of_balls(b, a, touch).map(Overlap::swapped)
+    } else {
+        sphere::of_balls(a, b, touch)
+    }
+}
+
 /// The depth in metres up to which the pair counts as touching.
 fn touch(a: &Shape, pose_a: &Pose, b: &Shape, pose_b: &Pose) -> f64 {
     let reach = |shape: &Shape, pose: &Pose| {

@@ -40,13 +40,29 @@ pub(super) fn of_spheres(
     pose_b: &Pose,
     touch: f64,
 ) -> Option<Overlap> {
-    let offset = pose_a.position - pose_b.position;
-    let nearest = Nearest {
-        distance: offset.length() - b.radius(),
-        direction: unit(offset).unwrap_or(DVec3::X),
-        feature: Feature::Surface,
-    };
-    of_nearest(a, pose_a, &nearest, &Pose::IDENTITY, touch)
+    of_balls(
+        (pose_a.position, a.radius()),
+        (pose_b.position, b.radius()),
+        touch,
+    )
+}
+
+/// Two spheres, each by its centre and radius.
+#[inline]
+pub(super) fn of_balls(a: (DVec3, f64), b: (DVec3, f64), touch: f64) -> Option<Overlap> {
+    let offset = a.0 - b.0;
+    let distance = offset.length() - b.1;
+    let depth = a.1 - distance;
+    (depth > touch).then(|| {
+        let direction = unit(offset).unwrap_or(DVec3::X);
+        Overlap {
+            depth,
+            direction,
+            point: a.0 - 0.5 * (a.1 + distance) * direction,
+            feature_a: Feature::Surface,
+            feature_b: Feature::Surface,
+        }
+    })
 }
 
 pub(super) fn of_cuboid(
