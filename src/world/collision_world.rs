@@ -188,7 +188,7 @@ impl CollisionWorld {
     /// do not have the body, or have it where it is not.
     fn track(&mut self, slot: u32, anew: bool) {
         /// So many bodies outside the trees cost a query little.
-        const WAITING: usize = 64;
+        const WAITING: usize = 16;
         let Some(resident) = self.slots.at(slot) else {
             return;
         };

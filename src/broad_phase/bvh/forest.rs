@@ -232,7 +232,8 @@ impl<T: Copy> Bvh<T> {
         }
         self.move_origin(&bounds);
         for tree in &mut self.trees {
-            tree.settled = true;
+            // Without bodies it is spare.
+            tree.settled = tree.live() > 0;
         }
     }
 
