@@ -1,8 +1,8 @@
 //! The hierarchies of a world.
 
 use super::bounds::Bounds;
-use super::order::Item;
 use super::lists::Lists;
+use super::order::Item;
 use super::tree::{Mobility, NOBODY, Tree};
 use crate::geometry::Aabb;
 use glam::DVec3;

@@ -126,7 +126,11 @@ impl<T: Copy> Bvh<T> {
 
     /// Whether both trees have been there since the last update.
     fn are_settled(&self, trees: [usize; 2]) -> bool {
-        let is_settled = |tree| self.trees.get(tree).is_some_and(|tree: &Tree<T>| tree.settled);
+        let is_settled = |tree| {
+            self.trees
+                .get(tree)
+                .is_some_and(|tree: &Tree<T>| tree.settled)
+        };
         trees.into_iter().all(is_settled)
     }
 
