@@ -84,7 +84,8 @@ fn hierarchies_miss_no_contact_that_all_pairs_have() {
                             }
                         }
                         _ => {
-                            let velocity = 5.0 * random.vector();
+                            let speed = if calm { 60.0 } else { 5.0 };
+                            let velocity = speed * random.vector();
                             for world in &mut worlds {
                                 world.set_velocity(id, velocity).unwrap();
                             }
