@@ -9,6 +9,9 @@ use rayon::prelude::*;
 /// for long when the others have not finished yet.
 const JOBS: usize = 256;
 
+/// What was found out, of which pairs, by how many tests.
+type Part<S> = (S, Vec<(u32, u32)>, u64);
+
 impl<T: Copy + Send + Sync> Bvh<T> {
     /// As [`pairs`](Self::pairs), with the threads of the rayon pool it is called in.
     ///
@@ -52,7 +55,7 @@ impl<T: Copy + Send + Sync> Bvh<T> {
                 }
                 answers.push(told(self, [a, b], found));
                 let chunk = jobs.len().div_ceil(JOBS).max(1);
-                let parts: Vec<(S, Vec<(u32, u32)>, u64)> = jobs
+                let parts: Vec<Part<S>> = jobs
                     .par_chunks(chunk)
                     .map(|jobs| {
                         let mut found = Vec::new();
