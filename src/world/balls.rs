@@ -1,13 +1,14 @@
 //! Two balls in straight flight: most pairs of most worlds.
 
 use crate::early_out;
-use crate::geometry::{Pose, Shape, Sphere};
-use crate::narrow_phase::exact::{Touching, ball_ball};
-use crate::narrow_phase::overlap::overlap;
+use crate::geometry::Feature;
+use crate::narrow_phase::exact::{Touching, two_balls};
+use crate::narrow_phase::overlap::of_balls;
 use crate::tolerance::touch_tolerance;
 use crate::world::pair::{Finding, SLIDE};
 use crate::world::tracks::{Span, Track};
 use crate::world::{ContactKind, PairContact};
+use glam::DVec3;
 
 /// What [`examine`](super::pair::examine) finds of two balls in straight flight,
 /// to the bit, from their tracks alone.
@@ -18,7 +19,7 @@ pub(super) fn examine(a: &Track, b: &Track, span: Span) -> Option<Finding> {
     let reach = a.reach + b.reach;
     let between = start_b - start_a;
     if between.length_squared() < reach * reach
-        && let Some(contact) = overlapping(a, b, span)
+        && let Some(contact) = overlapping((start_a, a.reach), (start_b, b.reach))
     {
         return Some(contact.into());
     }
@@ -26,7 +27,7 @@ pub(super) fn examine(a: &Track, b: &Track, span: Span) -> Option<Finding> {
     if early_out::reject(between, motion, reach).is_some() {
         return None;
     }
-    let enter = ball_ball(a.reach, b.reach, between, motion)?.enter;
+    let enter = two_balls(a.reach, b.reach, between, motion)?;
     let coordinate = start_a.abs().max(start_b.abs()).max_element();
     let touch = touch_tolerance(reach, coordinate);
     let depth = enter.fraction * motion.dot(enter.normal);
@@ -56,15 +57,14 @@ pub(super) fn examine(a: &Track, b: &Track, span: Span) -> Option<Finding> {
 }
 
 /// The pair as overlapping as the frame begins, if it does.
-fn overlapping(a: &Track, b: &Track, span: Span) -> Option<PairContact> {
-    let ball = |track: &Track| Sphere::new(track.reach).map(Shape::from).ok();
-    let pose = |track: &Track| Pose::at(track.flight(span).0);
-    let found = overlap(&ball(a)?, &pose(a), &ball(b)?, &pose(b))?;
+#[inline]
+fn overlapping(a: (DVec3, f64), b: (DVec3, f64)) -> Option<PairContact> {
+    let found = of_balls(a, b)?;
     Some(PairContact {
         fraction: 0.0,
         point: found.point,
         normal: found.direction,
-        features: [found.feature_a, found.feature_b],
+        features: [Feature::Surface; 2],
         kind: ContactKind::Overlap { depth: found.depth },
     })
 }

@@ -7,6 +7,7 @@ use crate::motion::{FrameMotion, Motion};
 use crate::tolerance::touch_tolerance;
 use crate::world::finding::{Findings, PairKey};
 use crate::world::gate::Passed;
+use crate::world::horizon::Horizon;
 use crate::world::slots::{Resident, Slots};
 use crate::world::solver::Solver;
 use crate::world::stirred::Stirred;
@@ -66,6 +67,8 @@ pub struct CollisionWorld {
     pub(super) findings: Findings,
     /// Pairs that passed the early-outs of the frame at hand.
     pub(super) passed: Passed,
+    /// For how long boxes hold.
+    pub(super) horizon: Horizon,
     pub(super) stats: StepStats,
 }
 
@@ -104,6 +107,7 @@ impl CollisionWorld {
             met: Vec::new(),
             findings: Findings::default(),
             passed: Passed::default(),
+            horizon: Horizon::default(),
             stats: StepStats::default(),
         }
     }
@@ -184,7 +188,7 @@ impl CollisionWorld {
     /// do not have the body, or have it where it is not.
     fn track(&mut self, slot: u32, anew: bool) {
         /// So many bodies outside the trees cost a query little.
-        const WAITING: usize = 64;
+        const WAITING: usize = 16;
         let Some(resident) = self.slots.at(slot) else {
             return;
         };
@@ -194,6 +198,9 @@ impl CollisionWorld {
             Course::Free => self.safe_until = self.safe_until.min(track.safe_until()),
             Course::Fixed => {}
         }
+        // A box that is to hold for longer would not hold the new motion.
+        let anew = anew || self.horizon.is_beyond(self.time);
+        self.horizon.disturb();
         match self.bvh.get_mut(slot) {
             Some(place) if !anew => *place = track,
             _ => self.bvh.insert(slot, track.course != Course::Fixed, track),

@@ -27,7 +27,6 @@ pub(super) fn key(a: u32, b: u32) -> PairKey {
 pub(super) struct Frame<'a> {
     pub(super) config: &'a WorldConfig,
     pub(super) slots: &'a Slots,
-    pub(super) bvh: &'a Bvh<Track>,
     pub(super) stirred: &'a Stirred,
     /// See [`CollisionWorld`](super::CollisionWorld).
     pub(super) touching: &'a [PairKey],
@@ -68,10 +67,11 @@ impl Frame<'_> {
     /// The narrow phase: whether, when, where and how pairs meet.
     pub(super) fn examine_all(
         &self,
-        pairs: &[(LeafId, LeafId)],
+        (pairs, bvh): (&[(LeafId, LeafId)], &Bvh<Track>),
         solver: &mut Solver,
         findings: &mut Findings,
     ) {
+        let at = |id| bvh.at(id);
         #[cfg(feature = "parallel")]
         if rayon::current_num_threads() > 1 && pairs.len() > 2 * CHUNK {
             use rayon::prelude::*;
@@ -80,7 +80,7 @@ impl Frame<'_> {
                 .map(|pairs| {
                     let mut findings = Findings::default();
                     let mut solver = Solver::new(self.config.method);
-                    self.examine(pairs, &mut solver, &mut findings);
+                    self.examine(pairs, at, &mut solver, &mut findings);
                     findings
                 })
                 .collect();
@@ -89,13 +89,20 @@ impl Frame<'_> {
             }
             return;
         }
-        self.examine(pairs, solver, findings);
+        self.examine(pairs, at, solver, findings);
     }
 
-    fn examine(&self, pairs: &[(LeafId, LeafId)], solver: &mut Solver, findings: &mut Findings) {
+    /// The same of some pairs, on this thread.
+    pub(super) fn examine<'a>(
+        &self,
+        pairs: &[(LeafId, LeafId)],
+        at: impl Fn(LeafId) -> Option<Leaf<'a, Track>>,
+        solver: &mut Solver,
+        findings: &mut Findings,
+    ) {
         let exact = self.config.method == Method::Exact;
         for &(first, second) in pairs {
-            let (Some(a), Some(b)) = (self.bvh.at(first), self.bvh.at(second)) else {
+            let (Some(a), Some(b)) = (at(first), at(second)) else {
                 continue;
             };
             let finding = if exact && a.data.is_ball && b.data.is_ball {

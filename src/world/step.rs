@@ -10,7 +10,7 @@ use crate::math::domain;
 use crate::motion::FrameMotion;
 use crate::tolerance::{MAX_COORDINATE, MAX_TIME_STEP, MIN_TIME_STEP};
 use crate::world::finding::{self, Frame};
-use crate::world::gate::{Gate, Keep, Phase};
+use crate::world::gate::{Gate, Keep};
 use crate::world::slots::Slots;
 use crate::world::stats::Laps;
 use crate::world::tracks::{Course, Span, Track};
@@ -145,9 +145,7 @@ impl CollisionWorld {
 
         self.move_bodies(span);
         stats.times.motions = laps.lap();
-        self.find_pairs((span, keep), &mut stats, &mut laps);
-        self.examine_pairs(span, &mut stats);
-        stats.times.narrow_phase = laps.lap();
+        self.examine_pairs((span, keep), &mut stats, &mut laps);
         self.findings.sort_into(&mut self.contacts, &self.met);
         stats.contacts = self.contacts.len();
         stats.times.advance = laps.lap();
@@ -208,28 +206,47 @@ impl CollisionWorld {
         });
     }
 
-    /// The broad phase: which pairs can meet at all; and the early-outs: which of
-    /// them cannot meet in this frame.
+    /// The broad phase: which pairs can meet at all; the early-outs: which of them
+    /// cannot meet in this frame; and the narrow phase: whether, when, where and how
+    /// they meet.
     ///
-    /// They take turns, so that pairs are tested while they are in the cache.
-    fn find_pairs(
+    /// They take turns, so that pairs are examined while they are in the cache.
+    fn examine_pairs(
         &mut self,
         (span, keep): (Span, Keep<'_>),
         stats: &mut StepStats,
         laps: &mut Laps,
     ) {
-        self.bvh.update(|track| track.swept(span));
+        let by_boxes = self.config.broad_phase == BroadPhase::Bvh;
+        if by_boxes && self.horizon.holds(span) {
+            self.bvh.renew(|track| track.swept(span));
+        } else {
+            let may_last = by_boxes && self.on_paths.is_empty();
+            let ahead = self.horizon.begin(span, self.slots.len(), may_last);
+            self.bvh.update(|track| track.swept(ahead));
+        }
         let gate = Gate {
             slots: &self.slots,
             keep,
             span,
         };
-        self.passed.clear();
-        if self.config.broad_phase == BroadPhase::Bvh {
-            gate.pass_all(&mut self.bvh, &mut self.passed, |phase| match phase {
-                Phase::Broad => stats.times.broad_phase += laps.lap(),
-                Phase::EarlyOuts => stats.times.early_outs += laps.lap(),
-            });
+        let frame = Frame {
+            config: &self.config,
+            slots: &self.slots,
+            stirred: &self.stirred,
+            touching: &self.touching,
+            span,
+        };
+        let (passed, findings) = (&mut self.passed, &mut self.findings);
+        passed.clear();
+        findings.clear();
+        if by_boxes {
+            frame.examine_portions(
+                (&mut self.bvh, &gate),
+                (&mut self.solver, passed, findings),
+                (&mut stats.times, laps),
+            );
+            self.horizon.note(self.bvh.tests(), passed.seen);
         } else {
             Self::list_pairs(
                 self.config.broad_phase,
@@ -242,14 +259,18 @@ impl CollisionWorld {
             for &(first, second) in listed.chain(self.frame_pairs.pairs()) {
                 let leaf = |slot| self.bvh.at(self.bvh.leaf(slot)?);
                 if let (Some(a), Some(b)) = (leaf(first), leaf(second)) {
-                    gate.pass(&a, &b, &mut self.passed);
+                    gate.pass(&a, &b, passed);
                 }
             }
             stats.times.early_outs += laps.lap();
+            frame.examine_all((&passed.pairs, &self.bvh), &mut self.solver, findings);
+            stats.times.narrow_phase += laps.lap();
         }
-        stats.pairs = self.passed.seen;
-        stats.rejected = self.passed.rejected;
-        stats.examined = self.passed.pairs.len();
+        stats.pairs = passed.seen;
+        stats.rejected = passed.rejected;
+        stats.examined = passed.count;
+        (stats.stretches, stats.rays) = (findings.effort.stretches, findings.effort.rays);
+        stats.undecided = findings.effort.undecided;
     }
 
     /// Brings the lists of pairs by volume up to date.
@@ -274,23 +295,6 @@ impl CollisionWorld {
             && bvh.iter().any(|(_, track)| track.course == Course::Free);
         let present = bvh.iter().filter(|_| anyone_free);
         frame_pairs.update(present.map(|(slot, track)| volume::in_frame(slot, track, span)));
-    }
-
-    /// The narrow phase: whether, when, where and how they meet.
-    fn examine_pairs(&mut self, span: Span, stats: &mut StepStats) {
-        self.findings.clear();
-        let frame = Frame {
-            config: &self.config,
-            slots: &self.slots,
-            bvh: &self.bvh,
-            stirred: &self.stirred,
-            touching: &self.touching,
-            span,
-        };
-        frame.examine_all(&self.passed.pairs, &mut self.solver, &mut self.findings);
-        let effort = self.findings.effort;
-        (stats.stretches, stats.rays) = (effort.stretches, effort.rays);
-        stats.undecided = effort.undecided;
     }
 
     /// Lets time pass, and remembers which pairs touch from now on.

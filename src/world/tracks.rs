@@ -179,8 +179,11 @@ impl Track {
         let to = from + displacement;
         let (low, high) = (from.min(to), from.max(to));
         // What comes as near as this in the frame counts as touching.
-        let touch = 2.0 * TOUCH * (self.reach + low.abs().max(high.abs()).max_element());
-        let half = DVec3::from_array(self.half.map(f64::from)) + touch;
+        let largest = low.abs().max(high.abs()).max_element();
+        let touch = 2.0 * TOUCH * (self.reach + largest);
+        // In parts of the time the flight is rounded otherwise.
+        let rounding = 16.0 * f64::EPSILON * (largest + self.centre.abs().max_element());
+        let half = DVec3::from_array(self.half.map(f64::from)) + (touch + rounding);
         Aabb {
             min: low - half,
             max: high + half,

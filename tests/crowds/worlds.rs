@@ -51,10 +51,12 @@ pub(crate) enum Crowd {
     Mixed,
     /// Far from the origin.
     Far,
+    /// All shapes, freely and on paths, spinning.
+    Spinning,
 }
 
 impl Crowd {
-    pub(crate) const ALL: [Self; 9] = [
+    pub(crate) const ALL: [Self; 10] = [
         Self::Balls,
         Self::Boxes,
         Self::Hulls,
@@ -64,6 +66,7 @@ impl Crowd {
         Self::Fast,
         Self::Mixed,
         Self::Far,
+        Self::Spinning,
     ];
 
     /// Some 5 % of a cube filled, whatever the count.
@@ -90,8 +93,8 @@ impl Crowd {
             Shape::from(Polytope::from_points(points).unwrap())
         };
         let shape = match (self, number % 3) {
-            (Self::Boxes, _) | (Self::Mixed | Self::Still, 1) => cuboid(random),
-            (Self::Hulls, _) | (Self::Mixed, 2) => hull(random),
+            (Self::Boxes, _) | (Self::Mixed | Self::Still | Self::Spinning, 1) => cuboid(random),
+            (Self::Hulls, _) | (Self::Mixed | Self::Spinning, 2) => hull(random),
             _ => Sphere::new(size).unwrap().into(),
         };
         let place = match self {
@@ -103,7 +106,7 @@ impl Crowd {
         let velocity = speed * random.unit() * random.vector().normalize();
         let motion = match (self, number % 4) {
             (Self::Still, _) if !number.is_multiple_of(100) => Motion::fixed(place).unwrap(),
-            (Self::Mixed, 0) => {
+            (Self::Mixed, 0) | (Self::Spinning, 3) => {
                 let path = Path::line(place, place + velocity).unwrap();
                 Motion::along(path, 6.0).unwrap()
             }
@@ -113,6 +116,13 @@ impl Crowd {
                 Motion::along(path, 20.0).unwrap()
             }
             _ => Motion::free(place, velocity).unwrap(),
+        };
+        let motion = match self {
+            Self::Spinning => {
+                let rate = random.within(-20.0, 20.0);
+                motion.spin(random.vector().normalize(), rate).unwrap()
+            }
+            _ => motion,
         };
         let axis = random.vector().normalize();
         let turn = DQuat::from_axis_angle(axis, random.within(0.0, 6.0));

@@ -9,7 +9,7 @@ fn casts() -> u64 {
     std::env::var("CASTS")
         .ok()
         .and_then(|count| count.parse().ok())
-        .unwrap_or(400)
+        .unwrap_or(120)
 }
 
 #[test]

@@ -5,6 +5,7 @@
     reason = "planted input that is refused shall fail the test"
 )]
 
+mod near;
 #[path = "../crowds/worlds.rs"]
 mod worlds;
 
@@ -148,7 +149,12 @@ fn casts_and_overlaps_find_what_brute_force_finds() {
                     let met = crossing(&shape, &pose, other, &other_pose, motion);
                     let fraction = met
                         .filter(|met| met.enter.fraction <= 1.0 && met.leave >= 0.0)
-                        .filter(|met| depth.is_some() || met.enter.fraction > 0.0)
+                        .filter(|met| {
+                            // In touch as it starts, it must come nearer.
+                            let enter = &met.enter;
+                            let nearer = motion.dot(enter.normal) < 0.0;
+                            depth.is_some() || enter.fraction > 0.0 || nearer
+                        })
                         .map(|met| met.enter.fraction.max(0.0) * motion.length());
                     if let Some(distance) = fraction
                         && first.is_none_or(|first| (distance, id) < first)

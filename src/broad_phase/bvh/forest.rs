@@ -1,14 +1,11 @@
 //! The hierarchies of a world.
 
 use super::bounds::Bounds;
+use super::lists::Lists;
 use super::order::Item;
-use super::pairs::{Job, Portion};
 use super::tree::{Mobility, NOBODY, Tree};
 use crate::geometry::Aabb;
 use glam::DVec3;
-
-/// Pairs are handed out in portions of about so many: few enough to stay in the cache.
-const PORTION: usize = 2048;
 
 /// What arranging leaves anew costs, in tests of a block for each leaf and each
 /// cut in two. Measured: 4.4 ns to 6.5 ns. What matters is the order of magnitude.
@@ -88,7 +85,8 @@ pub struct Bvh<T> {
     places: Vec<LeafId>,
     items: Vec<Item>,
     bodies: Vec<(u32, T)>,
-    portion: Vec<(u32, u32)>,
+    /// Pairs of the trees there are.
+    pub(super) lists: Lists,
 }
 
 impl<T> Default for Bvh<T> {
@@ -100,7 +98,7 @@ impl<T> Default for Bvh<T> {
             places: Vec::new(),
             items: Vec::new(),
             bodies: Vec::new(),
-            portion: Vec::new(),
+            lists: Lists::default(),
         }
     }
 }
@@ -205,7 +203,7 @@ impl<T: Copy> Bvh<T> {
             + self.places.capacity() * size_of::<LeafId>()
             + self.items.capacity() * size_of::<Item>()
             + self.bodies.capacity() * size_of::<(u32, T)>()
-            + self.portion.capacity() * size_of::<(u32, u32)>()
+            + self.lists.memory()
             + self.waiting.capacity() * size_of::<(Mobility, u32, T)>()
     }
 
@@ -214,19 +212,18 @@ impl<T: Copy> Bvh<T> {
     /// O(moving bodies); O(n log n) of those n whose leaves are sorted anew. Does not
     /// allocate unless there is more of anything than before.
     pub fn update(&mut self, bounds: impl Fn(&T) -> Aabb) {
+        self.lists.clear();
+        for tree in &mut self.trees {
+            tree.settled = false;
+        }
         self.settle(&bounds);
         for mobility in [Mobility::Fixed, Mobility::Moving] {
             self.consolidate(mobility, &bounds);
         }
-        let origin = self.origin;
-        for tree in &mut self.trees {
-            if tree.mobility == Mobility::Moving {
-                tree.fit(|data| Bounds::around(&bounds(data), origin));
-                tree.age();
-            }
-        }
+        self.fit_unsettled(&bounds);
         for index in 0..self.trees.len() {
-            let tree = &self.trees[index];
+            let tree = &mut self.trees[index];
+            tree.age();
             let leaves = tree.leaves.len() as f64;
             let dear = tree.debt > ARRANGING * leaves * leaves.max(2.0).log2();
             if dear || 2 * tree.vacant > tree.leaves.len() {
@@ -234,6 +231,30 @@ impl<T: Copy> Bvh<T> {
             }
         }
         self.move_origin(&bounds);
+        for tree in &mut self.trees {
+            // Without bodies it is spare.
+            tree.settled = tree.live() > 0;
+        }
+    }
+
+    /// As [`update`](Self::update), but for the boxes of bodies that were there at the
+    /// last one: they are left as they are, and so are the pairs among these bodies.
+    ///
+    /// The caller sees to it that bodies stay within the boxes they were given then:
+    /// one whose motion has changed has to be [inserted](Self::insert) again.
+    ///
+    /// O(bodies that are new since the last update).
+    pub fn renew(&mut self, bounds: impl Fn(&T) -> Aabb) {
+        self.settle(&bounds);
+        self.fit_unsettled(&bounds);
+    }
+
+    fn fit_unsettled(&mut self, bounds: &impl Fn(&T) -> Aabb) {
+        for tree in &mut self.trees {
+            if tree.mobility == Mobility::Moving && !tree.settled {
+                tree.fit(|data| Bounds::around(&bounds(data), self.origin));
+            }
+        }
     }
 
     /// Puts the bodies that wait into trees, so that queries find them there.
@@ -264,7 +285,8 @@ impl<T: Copy> Bvh<T> {
             if self.items.is_empty() {
                 continue;
             }
-            let spare = self.trees.iter().position(|tree| tree.live() == 0);
+            let is_spare = |tree: &Tree<T>| tree.live() == 0 && !tree.settled;
+            let spare = self.trees.iter().position(is_spare);
             let index = spare.unwrap_or(self.trees.len());
             if spare.is_none() {
                 self.trees.push(Tree::new(mobility));
@@ -289,6 +311,7 @@ impl<T: Copy> Bvh<T> {
                 let live = candidate.live();
                 other != index
                     && candidate.mobility == tree.mobility
+                    && !candidate.settled
                     && live > 0
                     && live <= 2 * tree.live()
             })
@@ -364,51 +387,5 @@ impl<T: Copy> Bvh<T> {
                 tree.fit(|data| Bounds::around(&bounds(data), self.origin));
             }
         }
-    }
-
-    /// Hands out all pairs of bodies whose boxes overlap, in portions, in no
-    /// particular order; each pair once.
-    ///
-    /// O(bodies + pairs) for boxes of like size. Does not allocate once there have
-    /// been as many pairs.
-    pub fn pairs(&mut self, mut visit: impl FnMut(&Portion<'_, T>)) {
-        let mut portion = std::mem::take(&mut self.portion);
-        portion.clear();
-        for a in 0..self.trees.len() {
-            for b in a..self.trees.len() {
-                let Some(start) = self.start(a, b) else {
-                    continue;
-                };
-                let mut told = |portion: &mut Vec<(u32, u32)>| {
-                    if let Some(found) = Portion::new(&self.trees, [a, b], portion) {
-                        visit(&found);
-                    }
-                    portion.clear();
-                };
-                let tests = start.run(&self.trees, &mut |a, b| {
-                    portion.push((a, b));
-                    if portion.len() >= PORTION {
-                        told(&mut portion);
-                    }
-                });
-                told(&mut portion);
-                if a == b
-                    && let Some(tree) = self.trees.get_mut(a)
-                {
-                    tree.note_work(tests);
-                }
-            }
-        }
-        self.portion = portion;
-    }
-
-    /// The first job of two trees, or of one; none if they make no pairs.
-    pub(super) fn start(&self, a: usize, b: usize) -> Option<Job> {
-        let (tree_a, tree_b) = (self.trees.get(a)?, self.trees.get(b)?);
-        let are_fixed = tree_a.mobility == Mobility::Fixed && tree_b.mobility == Mobility::Fixed;
-        if are_fixed || tree_a.live() == 0 || tree_b.live() == 0 {
-            return None;
-        }
-        Job::new(&self.trees, a, b)
     }
 }

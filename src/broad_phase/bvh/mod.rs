@@ -3,6 +3,7 @@
 mod block;
 mod bounds;
 mod forest;
+mod lists;
 mod order;
 mod pairs;
 #[cfg(feature = "parallel")]

@@ -3,7 +3,7 @@
 use super::block::{Block, WIDTH};
 use super::bounds::Bounds;
 use super::forest::{Leaf, LeafId};
-use super::tree::{Mobility, Tree};
+use super::tree::{Mobility, NOBODY, Tree};
 
 /// Some of the pairs that a [`Bvh`](super::Bvh) finds.
 #[derive(Debug, Clone, Copy)]
@@ -38,6 +38,19 @@ impl<'a, T: Copy> Portion<'a, T> {
         self.pairs.is_empty()
     }
 
+    /// The body kept there, if it is of these pairs.
+    #[must_use]
+    #[inline]
+    pub fn at(&self, id: LeafId) -> Option<Leaf<'a, T>> {
+        let side = usize::from(id.tree != self.numbers[0]);
+        let tree = self.trees[side];
+        Some(Leaf {
+            id,
+            slot: *tree.leaves.get(id.leaf as usize)?,
+            data: tree.data.get(id.leaf as usize)?,
+        })
+    }
+
     /// The pairs: the moving body first, of two moving ones the lower slot.
     #[inline]
     pub fn iter(&self) -> impl Iterator<Item = (Leaf<'a, T>, Leaf<'a, T>)> {
@@ -47,9 +60,12 @@ impl<'a, T: Copy> Portion<'a, T> {
             pairs,
         } = *self;
         let leaf = |tree: &'a Tree<T>, number: u32, leaf: u32| {
+            let slot = *tree.leaves.get(leaf as usize)?;
+            // Its body may have gone since the pair was found.
+            (slot != NOBODY).then_some(())?;
             Some(Leaf {
                 id: LeafId { tree: number, leaf },
-                slot: *tree.leaves.get(leaf as usize)?,
+                slot,
                 data: tree.data.get(leaf as usize)?,
             })
         };
@@ -101,6 +117,7 @@ impl Job {
     /// Does one step: finds pairs of leaves, or jobs that are left.
     ///
     /// Answers with the number of blocks tested.
+    #[cfg(feature = "parallel")]
     #[inline]
     pub(super) fn step<T: Copy>(
         self,
@@ -189,6 +206,7 @@ impl Job {
         tests
     }
 
+    #[cfg(feature = "parallel")]
     #[inline]
     fn among(self, block: &Block, jobs: &mut Vec<Self>, mut pair: impl FnMut(u32, u32)) -> u64 {
         let node = self.a;
@@ -295,6 +313,7 @@ fn around<T>(tree: &Tree<T>, node: Node, block: &Block) -> Bounds {
     }
 }
 
+#[cfg(feature = "parallel")]
 #[inline]
 fn leaf(node: Node, lane: u32) -> u32 {
     node.index * WIDTH as u32 + lane

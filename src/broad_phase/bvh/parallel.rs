@@ -1,12 +1,16 @@
 //! Pairs found by several threads.
 
 use super::Bvh;
+use super::lists::PORTION;
 use super::pairs::{Job, Portion};
 use rayon::prelude::*;
 
 /// So many jobs are handed out at least, if there are so many: enough that no thread is idle
 /// for long when the others have not finished yet.
 const JOBS: usize = 256;
+
+/// What was found out, of which pairs, by how many tests.
+type Part<S> = (S, Vec<(u32, u32)>, u64);
 
 impl<T: Copy + Send + Sync> Bvh<T> {
     /// As [`pairs`](Self::pairs), with the threads of the rayon pool it is called in.
@@ -18,6 +22,18 @@ impl<T: Copy + Send + Sync> Bvh<T> {
         visit: impl Fn(&Portion<'_, T>, &mut S) + Sync,
     ) -> Vec<S> {
         let mut answers = Vec::new();
+        let told = |bvh: &Self, trees: [usize; 2], pairs: &[(u32, u32)]| {
+            let mut answer = S::default();
+            if let Some(portion) = Portion::new(&bvh.trees, trees, pairs) {
+                visit(&portion, &mut answer);
+            }
+            answer
+        };
+        for list in self.lists.kept() {
+            let parts = list.pairs.par_chunks(PORTION);
+            let parts: Vec<S> = parts.map(|pairs| told(self, list.trees, pairs)).collect();
+            answers.extend(parts);
+        }
         let (mut jobs, mut opened) = (Vec::new(), Vec::new());
         for a in 0..self.trees.len() {
             for b in a..self.trees.len() {
@@ -27,7 +43,8 @@ impl<T: Copy + Send + Sync> Bvh<T> {
                 // Opened level by level; what is found on the way comes first.
                 jobs.clear();
                 jobs.push(start);
-                let mut found = Vec::new();
+                let mut list = self.lists.take([a, b]);
+                let found = &mut list.pairs;
                 let mut tests = 0;
                 while !jobs.is_empty() && jobs.len() < JOBS {
                     opened.clear();
@@ -36,36 +53,27 @@ impl<T: Copy + Send + Sync> Bvh<T> {
                     }
                     std::mem::swap(&mut jobs, &mut opened);
                 }
-                let told = |pairs: &[(u32, u32)]| {
-                    let mut answer = S::default();
-                    if let Some(portion) = Portion::new(&self.trees, [a, b], pairs) {
-                        visit(&portion, &mut answer);
-                    }
-                    answer
-                };
-                answers.push(told(&found));
+                answers.push(told(self, [a, b], found));
                 let chunk = jobs.len().div_ceil(JOBS).max(1);
-                let parts: Vec<(S, u64)> = jobs
+                let parts: Vec<Part<S>> = jobs
                     .par_chunks(chunk)
                     .map(|jobs| {
                         let mut found = Vec::new();
                         let mut pair = |a, b| found.push((a, b));
                         let run = |job: &Job| job.run(&self.trees, &mut pair);
                         let tests = jobs.iter().map(run).sum();
-                        (told(&found), tests)
+                        (told(self, [a, b], &found), found, tests)
                     })
                     .collect();
-                for (answer, more) in parts {
+                for (answer, more, others) in parts {
                     answers.push(answer);
-                    tests += more;
+                    found.extend_from_slice(&more);
+                    tests += others;
                 }
-                if a == b
-                    && let Some(tree) = self.trees.get_mut(a)
-                {
-                    tree.note_work(tests);
-                }
+                self.keep(list, tests);
             }
         }
+        self.lists_complete();
         answers
     }
 }

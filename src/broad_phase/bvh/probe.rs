@@ -89,7 +89,38 @@ impl Probe for Region {
     }
 }
 
+/// A point, as the box that rounding makes of it.
+struct Place(Bounds);
+
+impl Probe for Place {
+    fn distances(&self, block: &Block) -> [f32; WIDTH] {
+        let mut squares = [0.0_f32; WIDTH];
+        for axis in 0..3 {
+            let (min, max) = block.sides(axis);
+            for lane in 0..WIDTH {
+                let below = min[lane] - self.0.max[axis];
+                let above = self.0.min[axis] - max[lane];
+                let off = below.max(above).max(0.0);
+                squares[lane] += off * off;
+            }
+        }
+        squares.map(|square| square.sqrt() * (1.0 - ROUNDING))
+    }
+}
+
 impl<T: Copy> Bvh<T> {
+    /// The bodies whose boxes are nearest to a point, which is given with its
+    /// rounding as a box; nearest first, roughly.
+    ///
+    /// `visit` answers with the distance, in metres, beyond which nothing is of
+    /// interest any more.
+    pub fn near(&self, place: &Aabb, mut visit: impl FnMut(Leaf<'_, T>) -> f64) {
+        let place = Place(Bounds::around(place, self.origin));
+        self.search(&place, f32::INFINITY, |leaf| {
+            (visit(leaf) * (1.0 + 1e-6)) as f32
+        });
+    }
+
     /// All bodies whose boxes overlap `aabb`, in no particular order.
     ///
     /// Boxes are those of the last [`update`](Self::update); bodies that wait are

@@ -19,6 +19,8 @@ pub(super) enum Mobility {
 #[derive(Debug, Clone)]
 pub(super) struct Tree<T> {
     pub(super) mobility: Mobility,
+    /// Whether it was there at the last update: its pairs are listed, its leaves stay.
+    pub(super) settled: bool,
     /// Whose box each leaf holds.
     pub(super) leaves: Vec<u32>,
     /// What is known of each leaf's body: in this order it is read in every frame.
@@ -41,6 +43,7 @@ impl<T: Copy> Tree<T> {
     pub(super) fn new(mobility: Mobility) -> Self {
         Self {
             mobility,
+            settled: false,
             leaves: Vec::new(),
             data: Vec::new(),
             levels: Vec::new(),

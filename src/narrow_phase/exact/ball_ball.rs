@@ -1,8 +1,8 @@
 //! A ball cast at a ball.
 
-use super::Crossing;
 use super::ball_approach::{Approach, normal};
 use super::ball_line::{Line, Touch};
+use super::{Crossing, Touching};
 use crate::geometry::Feature;
 use glam::DVec3;
 
@@ -32,6 +32,18 @@ pub fn ball_ball(radius_a: f64, radius_b: f64, between: DVec3, motion: DVec3) ->
     let enter = of_ball(&line, radii)?;
     let last = of_ball(&line.reversed(), radii);
     line.crossing(enter, last)
+}
+
+/// What [`ball_ball`] says of the way in, without the way out.
+#[inline]
+pub(crate) fn two_balls(
+    radius_a: f64,
+    radius_b: f64,
+    between: DVec3,
+    motion: DVec3,
+) -> Option<Touching> {
+    let line = Line::new(-between, motion)?;
+    line.touching(of_ball(&line, [radius_a, radius_b])?)
 }
 
 /// Two balls of these radii.

@@ -41,6 +41,7 @@ mod turning;
 mod window;
 
 pub use ball_ball::ball_ball;
+pub(crate) use ball_ball::two_balls;
 pub use ball_crossing::ball_crossing;
 pub use ball_touch::ball_touch;
 pub use cast::{crossing, touch};

@@ -22,6 +22,7 @@ use crate::geometry::{Feature, Pose, Shape};
 use crate::tolerance::touch_tolerance;
 use glam::DVec3;
 use pair::Pair;
+pub(crate) use sphere::Nearest;
 use std::cmp::Ordering;
 
 /// How two shapes overlap.
@@ -129,6 +130,38 @@ fn in_order(a: &Shape, pose_a: &Pose, b: &Shape, pose_b: &Pose) -> Option<Overla
             }
             pair.witness(pair.least()?)
         }
+    }
+}
+
+/// Where a shape that stands at `pose` lies nearest to a point of the world, or
+/// nearest to let it out.
+pub(crate) fn to_point(point: DVec3, shape: &Shape, pose: &Pose) -> Option<Nearest> {
+    let local = pose.local_point(point);
+    let found = match shape {
+        Shape::Sphere(ball) => Nearest {
+            distance: local.length() - ball.radius(),
+            direction: unit(local).unwrap_or(DVec3::X),
+            feature: Feature::Surface,
+        },
+        Shape::Cuboid(cuboid) => sphere::to_cuboid(local, cuboid)?,
+        Shape::Triangle(triangle) => sphere::to_triangle(local, triangle),
+        Shape::Polytope(polytope) => sphere::to_polytope(local, polytope, f64::INFINITY)?,
+    };
+    Some(Nearest {
+        direction: pose.direction(found.direction),
+        ..found
+    })
+}
+
+/// [`overlap`] of two balls, to the bit: their centres and radii.
+#[inline]
+pub(crate) fn of_balls(a: (DVec3, f64), b: (DVec3, f64)) -> Option<Overlap> {
+    let coordinate = a.0.abs().max(b.0.abs()).max_element();
+    let touch = touch_tolerance(a.1 + b.1, coordinate);
+    if order::balls(a, b).is_gt() {
+        sphere::of_balls(b, a, touch).map(Overlap::swapped)
+    } else {
+        sphere::of_balls(a, b, touch)
     }
 }
 

@@ -18,6 +18,18 @@ pub(super) fn compare(a: &Shape, pose_a: &Pose, b: &Shape, pose_b: &Pose) -> Ord
         .then_with(|| shapes(a, b))
 }
 
+/// The same of two balls: by centre, then radius.
+#[inline]
+pub(super) fn balls(a: (DVec3, f64), b: (DVec3, f64)) -> Ordering {
+    // Most differ here.
+    if let Some(order) = a.0.x.partial_cmp(&b.0.x)
+        && order.is_ne()
+    {
+        return order;
+    }
+    numbers(&a.0.to_array(), &b.0.to_array()).then_with(|| a.1.total_cmp(&b.1))
+}
+
 fn kind(shape: &Shape) -> u8 {
     match shape {
         Shape::Sphere(_) => 0,

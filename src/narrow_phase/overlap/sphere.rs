@@ -5,12 +5,12 @@ use crate::geometry::{Cuboid, Edge, Feature, Polytope, Pose, Sphere, Triangle};
 use glam::DVec3;
 
 /// Where a shape lies nearest to a point, or nearest to let it out.
-struct Nearest {
+pub(crate) struct Nearest {
     /// Signed distance in metres, negative inside.
-    distance: f64,
+    pub(crate) distance: f64,
     /// Unit vector out of the shape, to the point or through it.
-    direction: DVec3,
-    feature: Feature,
+    pub(crate) direction: DVec3,
+    pub(crate) feature: Feature,
 }
 
 /// The overlap of a sphere with the shape of which `nearest` was found, in that shape's frame.
@@ -40,13 +40,29 @@ pub(super) fn of_spheres(
     pose_b: &Pose,
     touch: f64,
 ) -> Option<Overlap> {
-    let offset = pose_a.position - pose_b.position;
-    let nearest = Nearest {
-        distance: offset.length() - b.radius(),
-        direction: unit(offset).unwrap_or(DVec3::X),
-        feature: Feature::Surface,
-    };
-    of_nearest(a, pose_a, &nearest, &Pose::IDENTITY, touch)
+    of_balls(
+        (pose_a.position, a.radius()),
+        (pose_b.position, b.radius()),
+        touch,
+    )
+}
+
+/// Two spheres, each by its centre and radius.
+#[inline]
+pub(super) fn of_balls(a: (DVec3, f64), b: (DVec3, f64), touch: f64) -> Option<Overlap> {
+    let offset = a.0 - b.0;
+    let distance = offset.length() - b.1;
+    let depth = a.1 - distance;
+    (depth > touch).then(|| {
+        let direction = unit(offset).unwrap_or(DVec3::X);
+        Overlap {
+            depth,
+            direction,
+            point: a.0 - 0.5 * (a.1 + distance) * direction,
+            feature_a: Feature::Surface,
+            feature_b: Feature::Surface,
+        }
+    })
 }
 
 pub(super) fn of_cuboid(
@@ -56,11 +72,16 @@ pub(super) fn of_cuboid(
     pose_b: &Pose,
     touch: f64,
 ) -> Option<Overlap> {
-    let centre = pose_b.local_point(pose.position);
+    let nearest = to_cuboid(pose_b.local_point(pose.position), cuboid)?;
+    of_nearest(sphere, pose, &nearest, pose_b, touch)
+}
+
+/// Where a cuboid is nearest to a point of its frame.
+pub(super) fn to_cuboid(centre: DVec3, cuboid: &Cuboid) -> Option<Nearest> {
     let excess = centre.abs() - cuboid.half_extents();
     let sides = centre.to_array().map(|x| u32::from(x >= 0.0));
     let outside = excess.max(DVec3::ZERO);
-    let nearest = if outside == DVec3::ZERO {
+    Some(if outside == DVec3::ZERO {
         let axis = (1..3).fold(0, |best, axis| {
             if excess[axis] > excess[best] {
                 axis
@@ -79,8 +100,7 @@ pub(super) fn of_cuboid(
             direction: unit(outside.copysign(centre))?,
             feature: feature_of_cuboid(outside, sides),
         }
-    };
-    of_nearest(sphere, pose, &nearest, pose_b, touch)
+    })
 }
 
 /// The feature of a cuboid from which a point sticks out along the axes where `outside` is not zero.
@@ -105,11 +125,17 @@ pub(super) fn of_triangle(
     touch: f64,
 ) -> Option<Overlap> {
     let centre = pose_b.local_point(pose.position);
-    let (vertices, normal) = (triangle.vertices(), triangle.normal());
-    let height = normal.dot(centre - vertices[0]);
+    let height = triangle.normal().dot(centre - triangle.vertices()[0]);
     if height.abs() > sphere.radius() - touch {
         return None;
     }
+    of_nearest(sphere, pose, &to_triangle(centre, triangle), pose_b, touch)
+}
+
+/// Where a triangle is nearest to a point of its frame.
+pub(super) fn to_triangle(centre: DVec3, triangle: &Triangle) -> Nearest {
+    let (vertices, normal) = (triangle.vertices(), triangle.normal());
+    let height = normal.dot(centre - vertices[0]);
     let (up, face) = if height < 0.0 {
         (-normal, 1)
     } else {
@@ -147,8 +173,7 @@ pub(super) fn of_triangle(
             });
         }
     }
-    let nearest = nearest.filter(|_| beyond).unwrap_or(above);
-    of_nearest(sphere, pose, &nearest, pose_b, touch)
+    nearest.filter(|_| beyond).unwrap_or(above)
 }
 
 /// Only edges and faces that the centre sees can be nearest to it.
@@ -160,46 +185,44 @@ pub(super) fn of_polytope(
     touch: f64,
 ) -> Option<Overlap> {
     let centre = pose_b.local_point(pose.position);
-    let normals = polytope.face_normals();
-    let heights: Vec<f64> = normals
-        .iter()
-        .zip(polytope.face_offsets())
-        .map(|(normal, offset)| normal.dot(centre) - offset)
-        .collect();
-    let (face, height) =
-        heights
-            .iter()
-            .copied()
-            .enumerate()
-            .fold((0, f64::NEG_INFINITY), |best, (face, height)| {
-                if height > best.1 {
-                    (face, height)
-                } else {
-                    best
-                }
-            });
-    if height > sphere.radius() - touch {
+    let nearest = to_polytope(centre, polytope, sphere.radius() - touch)?;
+    of_nearest(sphere, pose, &nearest, pose_b, touch)
+}
+
+/// Where a polytope is nearest to a point of its frame; none if it is surely farther
+/// away than `reach`.
+pub(super) fn to_polytope(centre: DVec3, polytope: &Polytope, reach: f64) -> Option<Nearest> {
+    let (normals, offsets) = (polytope.face_normals(), polytope.face_offsets());
+    let height = |face: usize| normals[face].dot(centre) - offsets[face];
+    let mut highest = (0, f64::NEG_INFINITY);
+    for face in 0..normals.len() {
+        let height = height(face);
+        if height > highest.1 {
+            highest = (face, height);
+        }
+    }
+    let (face, most) = highest;
+    if most > reach {
         return None;
     }
-    let mut nearest = Nearest {
-        distance: height,
-        direction: *normals.get(face)?,
-        feature: Feature::Face(face as u32),
-    };
     // Above the highest face, its foot on that face: nothing else is nearer.
-    if height > 0.0 && !over_face(polytope, face as u32, centre) {
-        let mut best = (f64::INFINITY, 0);
-        for (index, edge) in (0..).zip(polytope.edges()) {
-            if edge.faces.iter().any(|&face| heights[face as usize] > 0.0) {
-                let distance = distance_squared(polytope, edge, centre);
-                if distance < best.0 {
-                    best = (distance, index);
-                }
+    if most <= 0.0 || over_face(polytope, face as u32, centre) {
+        return Some(Nearest {
+            distance: most,
+            direction: *normals.get(face)?,
+            feature: Feature::Face(face as u32),
+        });
+    }
+    let mut best = (f64::INFINITY, 0);
+    for (index, edge) in (0..).zip(polytope.edges()) {
+        if edge.faces.iter().any(|&face| height(face as usize) > 0.0) {
+            let distance = distance_squared(polytope, edge, centre);
+            if distance < best.0 {
+                best = (distance, index);
             }
         }
-        nearest = on_edge(polytope, best.1, centre);
     }
-    of_nearest(sphere, pose, &nearest, pose_b, touch)
+    Some(on_edge(polytope, best.1, centre))
 }
 
 /// Whether the foot of `point` on a face's plane lies in the face.

@@ -109,7 +109,7 @@ impl CollisionWorld {
 }
 
 /// A box grown by what may count as a touch.
-fn grown(aabb: &Aabb) -> Aabb {
+pub(super) fn grown(aabb: &Aabb) -> Aabb {
     let size = aabb.min.abs().max(aabb.max.abs()).max_element();
     aabb.grown(4.0 * TOUCH * size)
 }

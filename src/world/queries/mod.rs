@@ -1,6 +1,7 @@
 //! Questions to a world between its steps.
 
 mod cast;
+mod near;
 mod ray;
 
 use crate::error::QueryError;
@@ -16,8 +17,8 @@ use std::fmt;
 pub struct BodyHit {
     /// The body.
     pub body: BodyId,
-    /// How far away, in metres, along the ray or path; negative for a shape that
-    /// stands and overlaps: how deep.
+    /// How far away, in metres, along the ray or path or from the point; negative for a
+    /// shape that stands and overlaps, and for a point inside: how deep.
     pub distance: f64,
     /// Where, in metres.
     pub point: DVec3,

@@ -1,0 +1,161 @@
+//! Pairs handed out, and kept for as long as their boxes hold.
+
+use super::Bvh;
+use super::pairs::{Job, Portion};
+use super::tree::{Mobility, Tree};
+
+/// Pairs are handed out in portions of about so many: few enough that what they
+/// name stays in the cache.
+pub(super) const PORTION: usize = 1024;
+
+/// Pairs of leaves of two trees, or of one.
+#[derive(Debug, Clone, Default)]
+pub(super) struct List {
+    pub(super) trees: [usize; 2],
+    pub(super) pairs: Vec<(u32, u32)>,
+}
+
+/// All lists; the first so many are of trees that were there at the last update.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Lists {
+    lists: Vec<List>,
+    kept: usize,
+    /// Whether the pairs of settled trees are listed.
+    complete: bool,
+    /// Blocks tested to find them.
+    tests: u64,
+}
+
+impl Lists {
+    /// Forgets all pairs.
+    pub(super) fn clear(&mut self) {
+        self.kept = 0;
+        self.complete = false;
+        self.tests = 0;
+    }
+
+    /// The pairs that are kept.
+    pub(super) fn kept(&self) -> &[List] {
+        self.lists.get(..self.kept).unwrap_or_default()
+    }
+
+    /// A list to be filled, which has no pairs yet.
+    pub(super) fn take(&mut self, trees: [usize; 2]) -> List {
+        if self.lists.len() == self.kept {
+            self.lists.push(List::default());
+        }
+        let mut list = self
+            .lists
+            .get_mut(self.kept)
+            .map(std::mem::take)
+            .unwrap_or_default();
+        list.trees = trees;
+        list.pairs.clear();
+        list
+    }
+
+    /// Gives a list back; its pairs are forgotten if it is not to be kept.
+    pub(super) fn give(&mut self, list: List, keep: bool) {
+        if let Some(place) = self.lists.get_mut(self.kept) {
+            *place = list;
+            self.kept += usize::from(keep);
+        }
+    }
+
+    /// Bytes in use.
+    pub(super) fn memory(&self) -> usize {
+        let pairs: usize = self.lists.iter().map(|list| list.pairs.capacity()).sum();
+        pairs * size_of::<(u32, u32)>() + self.lists.capacity() * size_of::<List>()
+    }
+}
+
+impl<T: Copy> Bvh<T> {
+    /// Hands out all pairs of bodies whose boxes overlap, in portions, in no
+    /// particular order; each pair once.
+    ///
+    /// O(bodies + pairs) for boxes of like size, O(pairs) for those that were there
+    /// already if boxes were [renewed](Self::renew). Does not allocate once there have
+    /// been as many pairs.
+    pub fn pairs(&mut self, mut visit: impl FnMut(&Portion<'_, T>)) {
+        for list in self.lists.kept() {
+            for pairs in list.pairs.chunks(PORTION) {
+                if let Some(found) = Portion::new(&self.trees, list.trees, pairs) {
+                    visit(&found);
+                }
+            }
+        }
+        for a in 0..self.trees.len() {
+            for b in a..self.trees.len() {
+                let Some(start) = self.start(a, b) else {
+                    continue;
+                };
+                let mut list = self.lists.take([a, b]);
+                let trees = &self.trees;
+                let mut told = 0;
+                let mut tell = |pairs: &[(u32, u32)], least: usize| {
+                    if pairs.len() >= told + least {
+                        let new = pairs.get(told..).unwrap_or_default();
+                        if let Some(found) = Portion::new(trees, [a, b], new) {
+                            visit(&found);
+                        }
+                        told = pairs.len();
+                    }
+                };
+                let tests = start.run(trees, &mut |a, b| {
+                    list.pairs.push((a, b));
+                    tell(&list.pairs, PORTION);
+                });
+                tell(&list.pairs, 1);
+                self.keep(list, tests);
+            }
+        }
+        self.lists_complete();
+    }
+
+    /// The pairs of settled trees are listed.
+    pub(super) fn lists_complete(&mut self) {
+        self.lists.complete = true;
+    }
+
+    /// What it took to find the pairs of bodies that were there at the last update: how
+    /// often a box was compared with eight.
+    #[must_use]
+    pub fn tests(&self) -> u64 {
+        self.lists.tests
+    }
+
+    /// Whether both trees have been there since the last update.
+    fn are_settled(&self, trees: [usize; 2]) -> bool {
+        let is_settled = |tree| {
+            self.trees
+                .get(tree)
+                .is_some_and(|tree: &Tree<T>| tree.settled)
+        };
+        trees.into_iter().all(is_settled)
+    }
+
+    /// Keeps the pairs of two trees, if these last; `tests` is what it took to find them.
+    pub(super) fn keep(&mut self, list: List, tests: u64) {
+        let [a, b] = list.trees;
+        let are_settled = self.are_settled([a, b]);
+        self.lists.give(list, are_settled);
+        self.lists.tests += if are_settled { tests } else { 0 };
+        if a == b
+            && let Some(tree) = self.trees.get_mut(a)
+        {
+            tree.note_work(tests);
+        }
+    }
+
+    /// The first job of two trees, or of one; none if they make no pairs, or if these
+    /// are listed.
+    pub(super) fn start(&self, a: usize, b: usize) -> Option<Job> {
+        let (tree_a, tree_b) = (self.trees.get(a)?, self.trees.get(b)?);
+        let are_fixed = tree_a.mobility == Mobility::Fixed && tree_b.mobility == Mobility::Fixed;
+        let are_listed = self.lists.complete && self.are_settled([a, b]);
+        if are_fixed || are_listed || tree_a.live() == 0 || tree_b.live() == 0 {
+            return None;
+        }
+        Job::new(&self.trees, a, b)
+    }
+}
