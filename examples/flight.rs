@@ -36,7 +36,7 @@ fn aircraft(centre: DVec3, tilt: f64, speed: f64) -> Result<(Body, Path), Box<dy
 
 fn main() -> Result<(), Box<dyn Error>> {
     let (a, path_a) = aircraft(DVec3::ZERO, 0.1, 70.0)?;
-    let (b, path_b) = aircraft(DVec3::new(500.0, 0.0, 0.0), -0.1, 63.7)?;
+    let (b, path_b) = aircraft(DVec3::new(500.0, 0.0, 0.0), 0.1, 63.7)?;
     let contact = first_contact(&a, &b, HORIZON, &Method::Exact)?;
     let until = contact.map_or(HORIZON, |contact| contact.fraction * HORIZON);
     // How near they came, round by round, a minute before the touch left out.

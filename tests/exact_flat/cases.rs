@@ -444,3 +444,26 @@ fn a_slab_that_glides_off_a_box_along_its_own_edge() {
     let [a, b] = [a, b].map(|body| bodies::polytope(&body.hull.points));
     turned(&a, &b, turns, between, motion);
 }
+
+/// Rounding told which of their edges met, and the point lay 1e-5 of the size outside of one.
+#[test]
+fn boxes_whose_faces_are_parallel_but_for_a_hair_share_the_point() {
+    let a = bodies::cuboid(DVec3::splat(5.766002770787062));
+    let turns = [
+        DQuat::IDENTITY,
+        DQuat::from_xyzw(
+            9.998574044504985e-14,
+            -1.0106499535758387e-12,
+            -8.289032755412742e-13,
+            1.0,
+        ),
+    ];
+    let between = v(13.499849636777608, 1.8580272257644994, -56.73657235090751);
+    turned(
+        &a,
+        &a,
+        turns,
+        between,
+        v(-1.304675752678388, -1.7412995551396069, 37.61634211306881),
+    );
+}

@@ -14,11 +14,10 @@ const DOUBLE: f64 = 1e-12;
 /// A point in the middle of what two points, segments or polygons share; of the
 /// larger one the nearest to the other where rounding keeps them apart.
 pub(super) fn middle(a: &[DVec2], b: &[DVec2], size: f64) -> DVec2 {
-    let middle = witness::middle(a, b);
-    let near = |polygon: &[DVec2]| nearest(polygon, middle).distance(middle) <= SLACK * size;
-    if near(a) && near(b) {
-        return middle;
+    if let Some(shared) = shared(a, b, size) {
+        return shared;
     }
+    let middle = witness::middle(a, b);
     // They touch in an edge or corner of both, or one is turned by a hair from a face that
     // reaches further: where a corner of one is nearest to the other.
     let mut best = (f64::INFINITY, middle);
@@ -36,6 +35,13 @@ pub(super) fn middle(a: &[DVec2], b: &[DVec2], size: f64) -> DVec2 {
         }
     }
     best.1
+}
+
+/// The same where they do share a point.
+pub(super) fn shared(a: &[DVec2], b: &[DVec2], size: f64) -> Option<DVec2> {
+    let middle = witness::middle(a, b);
+    let near = |polygon: &[DVec2]| nearest(polygon, middle).distance(middle) <= SLACK * size;
+    (near(a) && near(b)).then_some(middle)
 }
 
 /// The corners of what two points, segments or polygons share, counter-clockwise, each once; at

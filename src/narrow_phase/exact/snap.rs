@@ -16,6 +16,9 @@ use glam::{DVec2, DVec3};
 /// turned by a hair from a face is taken for part of it.
 pub(super) const FEATURE: f64 = 1e-12;
 
+/// How many times as much where features seem not to meet.
+const WIDE: f64 = 16.0;
+
 /// Up to this many vertices are all looked at; of more, only those around the farthest.
 const FEW: usize = 24;
 
@@ -180,11 +183,17 @@ impl Pair<'_> {
             });
             patch::around(points.collect())
         };
-        let shared = patch::middle(
-            &flat(&self.a, a, to_a),
-            &flat(&self.b, b, -origin),
-            self.size,
-        );
+        let (top_a, top_b) = (flat(&self.a, a, to_a), flat(&self.b, b, -origin));
+        let shared = patch::shared(&top_a, &top_b, self.size).or_else(|| {
+            // Of faces that are parallel but for a hair rounding tells which edges meet: what
+            // they share is sought among all that is nearly as far along the normal.
+            let wide = WIDE * FEATURE;
+            let a = summit_within(&self.a, -normal, [a0], wide);
+            let b = summit_within(&self.b, normal, [b0], wide);
+            let (a, b) = (flat(&self.a, &a, to_a), flat(&self.b, &b, -origin));
+            patch::shared(&a, &b, self.size)
+        });
+        let shared = shared.unwrap_or_else(|| patch::middle(&top_a, &top_b, self.size));
         Place::OnB(origin + (shared.x * x + shared.y * y))
     }
 }
@@ -204,8 +213,18 @@ fn within(body: &Body, summit: &Summit, normal: DVec3, point: DVec3, size: f64) 
 
 /// What lies farthest along a direction of the world; `known` are some of its vertices.
 pub(super) fn summit<const N: usize>(body: &Body, direction: DVec3, known: [u32; N]) -> Summit {
+    summit_within(body, direction, known, FEATURE)
+}
+
+/// The same to within a share of the body's radius.
+fn summit_within<const N: usize>(
+    body: &Body,
+    direction: DVec3,
+    known: [u32; N],
+    share: f64,
+) -> Summit {
     let local = body.rotation.transpose() * direction;
-    let margin = FEATURE * body.radius;
+    let margin = share * body.radius;
     let start = known.first().copied().unwrap_or_default();
     let mut corners = Corners::new(start);
     for vertex in known {
