@@ -13,10 +13,6 @@ mod fit;
 mod hermite;
 mod hodograph;
 mod quadratic;
-#[cfg_attr(
-    not(test),
-    allow(dead_code, reason = "bounds by control points, kept for closer casts")
-)]
 mod section;
 mod span;
 mod spline;

@@ -37,13 +37,6 @@ impl Section {
         }
     }
 
-    /// From the first point of the stretch to its four control points.
-    pub(crate) fn control_offsets(&self) -> [DVec3; 4] {
-        let [a, b, c] = self.velocity;
-        let third = self.width / 3.0;
-        [DVec3::ZERO, third * a, third * (a + b), third * (a + b + c)]
-    }
-
     /// Unit tangents at both ends, in the direction of flight; zero in a cusp.
     pub(crate) fn end_tangents(&self) -> [DVec3; 2] {
         [self.velocity[0], self.velocity[2]].map(|v| self.sense * v.normalize_or_zero())
@@ -163,17 +156,6 @@ impl TangentCone {
     fn slowest(&self, velocities: &[DVec3; 3]) -> f64 {
         let [a, b, c] = velocities.map(|velocity| velocity.dot(self.axis).abs());
         a.min(b).min(c)
-    }
-
-    /// The greatest component along the unit vector `direction` of a vector in the cone.
-    pub(crate) fn most_along(&self, direction: DVec3) -> f64 {
-        let cosine = self.axis.dot(direction);
-        if cosine >= self.cosine {
-            return 1.0;
-        }
-        // cos(β − α) of the angles β to the direction and α of the cone.
-        let sine = self.axis.cross(direction).length();
-        (cosine * self.cosine + sine * self.sine + 8.0 * f64::EPSILON).min(1.0)
     }
 
     /// The least sine of the angle between a vector in the cone and the line along

@@ -1,12 +1,6 @@
-//! What a body cannot do faster, in a part of one frame.
+//! How much a body cannot turn more, in a part of one frame.
 //!
-//! Everything here is one-sided: a body does no more than it says, rounding
-//! included. With the carried point `c`, a point of the body that is `r` away
-//! from it, and a unit vector `n`, between two fractions of the frame
-//! `n · (c + r)` grows at most by [`advance_along`](FrameMotion::advance_along) plus
-//! the least of `2|r|` and `|r|` times the [turn](FrameMotion::angle_between). For a
-//! spin about `e` the rate is less along `n`: `d/dt n·r = n·(ω × r) = r·(n × ω)`,
-//! at most `|n × e|·|ω|·|r|`.
+//! One-sided: a body does no more than it says, rounding included.
 
 use crate::motion::kind::Kind;
 use crate::motion::leg::Leg;
@@ -18,65 +12,6 @@ use glam::DVec3;
 const SMOOTH: f64 = 1e-9;
 
 impl FrameMotion {
-    /// How far the body moves at most along the unit vector `direction` between
-    /// fraction `from` and any fraction up to `to`, in metres; not negative.
-    ///
-    /// On curves from the control points of the pieces in between, and never
-    /// more than is flown.
-    pub(crate) fn advance_along(
-        &self,
-        motion: &Motion,
-        direction: DVec3,
-        from: f64,
-        to: f64,
-    ) -> f64 {
-        match motion.kind() {
-            Kind::Fixed { .. } => 0.0,
-            Kind::Free { velocity, .. } => {
-                (velocity.dot(direction) * ((to - from) * self.duration)).max(0.0)
-            }
-            Kind::Along(journey) => {
-                let [start, end] = [from, to].map(|fraction| self.flown_at(journey, fraction));
-                let (mut at, mut most) = (0.0, 0.0_f64);
-                let known = Leg::between(journey, start, end, |leg| {
-                    let offsets = leg.control_offsets().map(|offset| offset.dot(direction));
-                    most = offsets.into_iter().fold(most, |most, o| most.max(at + o));
-                    at += offsets[3];
-                });
-                let flown = (end - start).max(0.0);
-                // Places on a path are exact to rounding of its length.
-                let rounding = 16.0 * f64::EPSILON * (journey.path.length() + flown);
-                if known && most < flown {
-                    most + rounding
-                } else {
-                    flown
-                }
-            }
-        }
-    }
-
-    /// The greatest component of the body's velocity along the unit vector
-    /// `direction` between two fractions, in metres per second; may be negative.
-    pub(crate) fn speed_along(&self, motion: &Motion, direction: DVec3, from: f64, to: f64) -> f64 {
-        match motion.kind() {
-            Kind::Fixed { .. } => 0.0,
-            Kind::Free { velocity, .. } => velocity.dot(direction),
-            Kind::Along(journey) => {
-                if to <= self.rests_until || from >= self.rests_from {
-                    return 0.0;
-                }
-                let [start, end] = [from, to].map(|fraction| self.flown_at(journey, fraction));
-                let mut most = f64::NEG_INFINITY;
-                let known = Leg::between(journey, start, end, |leg| {
-                    most = most.max(leg.most_along(direction));
-                });
-                let most = if known { most } else { 1.0 };
-                let rests = from < self.rests_until || to > self.rests_from;
-                journey.speed * if rests { most.max(0.0) } else { most }
-            }
-        }
-    }
-
     /// How fast the body turns at most between two fractions, in radians per
     /// second; infinite where its orientation may jump.
     ///

@@ -7,11 +7,8 @@ use glam::DVec3;
 /// A part of a journey on one straight line or one piece of a spline.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Leg {
-    /// From its start to its end, and the direction of flight.
-    Straight {
-        way: DVec3,
-        direction: DVec3,
-    },
+    /// The direction of flight.
+    Straight(DVec3),
     Curve(Section),
 }
 
@@ -62,9 +59,8 @@ impl Leg {
         let ([from, to], forward) = journey.lap(start, end);
         let Some(spline) = path.as_spline() else {
             let direction = path.tangent_at(0.0);
-            let way = (to - from) * direction;
             let direction = if forward { direction } else { -direction };
-            return visit(Self::Straight { way, direction });
+            return visit(Self::Straight(direction));
         };
         let pieces = spline.pieces();
         let ((first, u_first), (last, u_last)) = (spline.locate(from), spline.locate(to));
@@ -97,25 +93,6 @@ impl Leg {
         }
     }
 
-    /// From the leg's start to points whose hull holds it, the last of them its end.
-    pub(super) fn control_offsets(&self) -> [DVec3; 4] {
-        match self {
-            Self::Straight { way, .. } => [DVec3::ZERO, DVec3::ZERO, *way, *way],
-            Self::Curve(section) => section.control_offsets(),
-        }
-    }
-
-    /// The greatest component along the unit vector `direction` of a unit tangent, in
-    /// the direction of flight.
-    pub(super) fn most_along(&self, direction: DVec3) -> f64 {
-        match self {
-            Self::Straight { direction: way, .. } => way.dot(direction),
-            Self::Curve(section) => section
-                .tangents()
-                .map_or(1.0, |cone| cone.most_along(direction)),
-        }
-    }
-
     /// An upper bound, per metre, on how fast a body turns that keeps `up` upright: infinite
     /// beside a cusp, and where the leg may go straight up.
     pub(super) fn turning(&self, up: DVec3) -> f64 {
@@ -135,7 +112,7 @@ impl Leg {
     /// Unit tangents at both ends, in the direction of flight; zero in a cusp.
     pub(super) fn end_tangents(&self) -> [DVec3; 2] {
         match self {
-            Self::Straight { direction, .. } => [*direction; 2],
+            Self::Straight(direction) => [*direction; 2],
             Self::Curve(section) => section.end_tangents(),
         }
     }

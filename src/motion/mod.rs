@@ -4,10 +4,6 @@
 //! freely. About that point the body may turn: not at all, at a constant rate
 //! ([`Motion::spin`]), or along the path's tangent ([`Motion::facing`]).
 
-#[cfg_attr(
-    not(test),
-    allow(dead_code, reason = "bounds by control points, kept for closer casts")
-)]
 mod bounds;
 #[cfg(feature = "serde")]
 mod data;
@@ -15,18 +11,10 @@ mod facing;
 mod frame_motion;
 mod journey;
 mod kind;
-#[cfg_attr(
-    not(test),
-    allow(dead_code, reason = "bounds by control points, kept for closer casts")
-)]
 mod leg;
 mod passage;
 mod path;
 mod spin;
-#[cfg_attr(
-    not(test),
-    allow(dead_code, reason = "bounds by control points, kept for closer casts")
-)]
 mod stretch;
 #[cfg(test)]
 mod tests;

@@ -102,18 +102,7 @@ impl FrameMotion {
 }
 
 impl Curve<'_> {
-    /// The share of the stretch's time that has passed at parameter `u` of its piece.
-    pub(crate) fn share_at(&self, motion: &Motion, u: f64) -> f64 {
-        let Some(spline) = motion.path().and_then(|path| path.as_spline()) else {
-            return 0.0;
-        };
-        let [start, end] = self.distances;
-        let share = (spline.distance_at(self.index, u) - start) / (end - start);
-        // NaN, of a stretch without length, counts as 0.
-        if share > 0.0 { share.min(1.0) } else { 0.0 }
-    }
-
-    /// The parameter of the piece when a share of the stretch's time has passed: the inverse.
+    /// The parameter of the piece when a share of the stretch's time has passed.
     pub(crate) fn u_at(&self, motion: &Motion, share: f64) -> f64 {
         let Some(spline) = motion.path().and_then(|path| path.as_spline()) else {
             return self.u[0];
