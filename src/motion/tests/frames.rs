@@ -1,7 +1,6 @@
 //! A frame is a part of a motion, and its stretches make it up.
 
 use super::Random;
-use crate::motion::kind::Kind;
 use crate::motion::stretch::Course;
 use crate::motion::{FrameMotion, Path};
 
