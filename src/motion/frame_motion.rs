@@ -131,6 +131,10 @@ impl FrameMotion {
         match motion.kind() {
             Kind::Fixed { .. } => DVec3::ZERO,
             Kind::Free { velocity, .. } => ((to - from) * self.duration) * *velocity,
+            // One way, and then rest: no laps to be looked at.
+            Kind::Along(journey) if journey.path.is_straight() && journey.at_end == AtEnd::Rest => {
+                (journey.speed * self.flying(from, to)) * journey.path.tangent_at(0.0)
+            }
             Kind::Along(journey) if journey.path.is_straight() => {
                 let [start, end] = [from, to].map(|fraction| self.flown_at(journey, fraction));
                 let way = if self.end_after(journey, from).0 >= to {
@@ -170,7 +174,7 @@ impl FrameMotion {
             return 0.0;
         }
         // Up to its very end a path is one way.
-        let one_way = self.end_after(journey, from).0 >= to;
+        let one_way = journey.at_end == AtEnd::Rest || self.end_after(journey, from).0 >= to;
         let straight = journey.path.is_straight() && one_way;
         if from < self.rests_until || to > self.rests_from {
             // Partly at rest. A straight path is ahead of or behind even
@@ -234,7 +238,10 @@ impl FrameMotion {
         if from >= self.rests_from {
             return 1.0;
         }
-        let next = self.end_after(journey, from).0.min(self.rests_from);
+        let next = match journey.at_end {
+            AtEnd::Rest => self.rests_from,
+            AtEnd::Loop | AtEnd::Return => self.end_after(journey, from).0.min(self.rests_from),
+        };
         // NaN, of a frame without length, counts as none.
         if next > from { next.min(1.0) } else { 1.0 }
     }
