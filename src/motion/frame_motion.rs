@@ -101,6 +101,7 @@ impl FrameMotion {
                 let waypoint = self.waypoint(journey, fraction);
                 journey.path.position_at(waypoint.distance)
             }
+            _ if fraction <= 0.0 => self.start,
             _ => self.start + self.displacement_between(motion, 0.0, fraction),
         }
     }

@@ -82,6 +82,10 @@ impl<'a> Mover<'a> {
     }
 
     fn displacement(&self, from: f64, to: f64) -> DVec3 {
+        // Worked out once for the whole frame.
+        if from <= 0.0 && to >= 1.0 {
+            return self.frame.displacement;
+        }
         self.frame.displacement_between(self.motion, from, to)
     }
 
