@@ -467,3 +467,77 @@ fn boxes_whose_faces_are_parallel_but_for_a_hair_share_the_point() {
         v(-1.304675752678388, -1.7412995551396069, 37.61634211306881),
     );
 }
+
+/// In its own plane: what is left of the difference's thickness is rounding.
+#[test]
+fn a_triangle_that_slides_onto_itself_in_its_plane() {
+    let triangle = bodies::triangle([
+        v(
+            0.0015274966605156259,
+            -0.0112321913902947,
+            0.007810196893016277,
+        ),
+        v(
+            -0.008333224239120975,
+            -0.004513056782811052,
+            0.00998419937899017,
+        ),
+        v(
+            -0.003346212132063177,
+            -0.008200119354663728,
+            -0.010538285055941524,
+        ),
+    ]);
+    let turn = DQuat::from_xyzw(
+        0.11698414302950545,
+        0.2582894746892765,
+        -0.009887281714531895,
+        0.9589074508025721,
+    );
+    let between = v(
+        -0.05024912080617401,
+        0.027180009515802274,
+        -0.044792721284585856,
+    );
+    let motion = v(
+        0.0752130857412532,
+        -0.04016128185378188,
+        0.07105417625724168,
+    );
+    turned(&triangle, &triangle, [turn, turn], between, motion);
+}
+
+/// The needle's end is so small that the tilt of the triangle does not show on it.
+#[test]
+fn a_needle_s_end_on_a_triangle_that_is_tilted_by_a_hair() {
+    let needle = bodies::cuboid(v(
+        0.0003712855841075976,
+        0.0003712855841075976,
+        0.03712855841075976,
+    ));
+    let triangle = bodies::triangle([
+        DVec3::ZERO,
+        v(0.02049276609138346, 0.0, 0.0),
+        v(-0.005131015706528049, 0.02049276609138346, 0.0),
+    ]);
+    let turns = [
+        DQuat::from_xyzw(0.0, 0.0, 0.7071067811865475, 0.7071067811865476),
+        DQuat::from_xyzw(
+            1.941957201702514e-12,
+            -3.3117911789601198e-12,
+            -4.879920410718424e-12,
+            1.0,
+        ),
+    ];
+    let between = v(
+        -0.09331837130307974,
+        -0.026077296672636897,
+        0.15201292214099135,
+    );
+    let motion = v(
+        0.03767302091616709,
+        0.019871769804766334,
+        -0.04928529638282231,
+    );
+    turned(&needle, &triangle, turns, between, motion);
+}
