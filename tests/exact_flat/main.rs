@@ -9,6 +9,7 @@
 
 mod bodies;
 mod cases;
+mod found;
 mod oracle;
 mod patch;
 mod random;
