@@ -164,7 +164,7 @@ impl TryFrom<ShapeData> for Shape {
         Ok(match data {
             ShapeData::Sphere(sphere) => Self::Sphere(sphere),
             ShapeData::Cuboid(cuboid) => Self::Cuboid(cuboid),
-            ShapeData::Triangle(triangle) => Self::Triangle(triangle),
+            ShapeData::Triangle(triangle) => triangle.into(),
             ShapeData::Hull(hull) => Self::Polytope(Arc::new(hull.try_into()?)),
             ShapeData::Mesh(mesh) => Self::Polytope(Arc::new(mesh.try_into()?)),
         })
@@ -176,7 +176,7 @@ impl From<Shape> for ShapeData {
         match shape {
             Shape::Sphere(sphere) => Self::Sphere(sphere),
             Shape::Cuboid(cuboid) => Self::Cuboid(cuboid),
-            Shape::Triangle(triangle) => Self::Triangle(triangle),
+            Shape::Triangle(triangle) => Self::Triangle(*triangle),
             Shape::Polytope(polytope) => match PolytopeData::from(&*polytope) {
                 PolytopeData::Hull(hull) => Self::Hull(hull),
                 PolytopeData::Mesh(mesh) => Self::Mesh(mesh),

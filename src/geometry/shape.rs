@@ -6,7 +6,8 @@ use std::sync::Arc;
 
 /// A shape a body can have.
 ///
-/// A polytope is shared: cloning the shape does not copy it.
+/// Triangles and polytopes are shared: a shape is four words long, and cloning it copies no
+/// vertices.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(
@@ -22,7 +23,7 @@ pub enum Shape {
     /// A solid box.
     Cuboid(Cuboid),
     /// A triangle, solid from both sides.
-    Triangle(Triangle),
+    Triangle(Arc<Triangle>),
     /// A solid convex polytope.
     Polytope(Arc<Polytope>),
 }
@@ -94,6 +95,12 @@ impl From<Cuboid> for Shape {
 
 impl From<Triangle> for Shape {
     fn from(triangle: Triangle) -> Self {
+        Self::Triangle(Arc::new(triangle))
+    }
+}
+
+impl From<Arc<Triangle>> for Shape {
+    fn from(triangle: Arc<Triangle>) -> Self {
         Self::Triangle(triangle)
     }
 }

@@ -9,7 +9,7 @@ use glam::DVec3;
 pub const MAX_ORIGIN: f64 = 1e100;
 
 /// Directions whose squares lie between these are used as they are.
-const PLAIN_SQUARES: std::ops::RangeInclusive<f64> = 1e-120..=1e120;
+const PLAIN_SQUARES: std::ops::RangeInclusive<f64> = 1e-100..=1e100;
 
 /// The line through a ray: finite, with a direction whose square neither
 /// overflows nor underflows.
@@ -27,7 +27,7 @@ impl Line {
     #[inline]
     pub(super) fn of(ray: &Ray) -> Option<Self> {
         let Ray { origin, direction } = *ray;
-        let scale = scale(ray)?;
+        let scale = scale(origin, direction)?;
         Some(Self {
             origin,
             direction: scale * direction,
@@ -65,23 +65,27 @@ impl Line {
 ///
 /// None if a coordinate is not finite, the origin beyond [`MAX_ORIGIN`] or the
 /// direction zero.
-#[inline]
-pub(crate) fn scale(ray: &Ray) -> Option<f64> {
+#[inline(always)]
+pub(crate) fn scale(origin: DVec3, direction: DVec3) -> Option<f64> {
     // A NaN fails these comparisons.
-    let plain = PLAIN_SQUARES.contains(&ray.direction.length_squared())
-        && ray.origin.length_squared() <= MAX_ORIGIN * MAX_ORIGIN;
-    // Only a number comes back, so that the vectors need not go through memory.
-    if plain { Some(1.0) } else { rescaled(ray) }
+    let plain = PLAIN_SQUARES.contains(&direction.length_squared())
+        && origin.length_squared() <= MAX_ORIGIN * MAX_ORIGIN;
+    // By value: a reference would send the vectors through memory in the usual case as well.
+    if plain {
+        Some(1.0)
+    } else {
+        rescaled(origin, direction)
+    }
 }
 
 #[cold]
-fn rescaled(ray: &Ray) -> Option<f64> {
+fn rescaled(origin: DVec3, direction: DVec3) -> Option<f64> {
     let within = |vector: DVec3, limit: f64| {
         // A NaN fails this; `max_element` would pass over it.
         (vector.abs().to_array().into_iter()).all(|coordinate| coordinate <= limit)
     };
-    let longest = ray.direction.abs().max_element();
-    if !within(ray.origin, MAX_ORIGIN) || !within(ray.direction, f64::MAX) || longest <= 0.0 {
+    let longest = direction.abs().max_element();
+    if !within(origin, MAX_ORIGIN) || !within(direction, f64::MAX) || longest <= 0.0 {
         return None;
     }
     // Bits 52 to 62 are the exponent plus 1023; 1000 keeps the scale itself normal.

@@ -44,19 +44,25 @@ impl Approach {
     }
 
     /// When the point that sets out at `from` comes within the radius.
-    ///
-    /// Neither way is there a difference of like numbers: what lies ahead is nearer than the middle
-    /// and follows from the product of both ends. So a start that touches exactly gives
-    /// exactly 0, and one ulp off gives the right sign.
     #[inline]
     pub(super) fn enter(&self, from: DVec3, square: f64, radius: f64) -> f64 {
-        let half = self.root(square);
-        if self.along > 0.0 {
-            // Of a graze from touch both terms are rounding; it is no later than the middle.
-            (power(from, radius) / (self.along + half)).min(self.middle)
-        } else {
-            (self.along - half) / square
-        }
+        enter(from, self.along, self.root(square), square, radius)
+    }
+}
+
+/// When the point that sets out at `from` comes within the radius: `along` is its closest approach
+/// and `half` half the time within, both times the direction's square.
+///
+/// Neither way is there a difference of like numbers: what lies ahead is nearer than the middle
+/// and follows from the product of both ends. So a start that touches exactly gives
+/// exactly 0, and one ulp off gives the right sign.
+#[inline]
+pub(super) fn enter(from: DVec3, along: f64, half: f64, square: f64, radius: f64) -> f64 {
+    if along > 0.0 {
+        // Of a graze from touch both terms are rounding; it is no later than the middle.
+        (power(from, radius) / (along + half)).min(along / square)
+    } else {
+        (along - half) / square
     }
 }
 

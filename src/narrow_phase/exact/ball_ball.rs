@@ -1,6 +1,6 @@
 //! A ball cast at a ball.
 
-use super::ball_approach::{Approach, normal};
+use super::ball_approach::{enter, normal};
 use super::ball_line::{Line, Touch};
 use super::{Crossing, Touching};
 use crate::geometry::Feature;
@@ -35,7 +35,7 @@ pub fn ball_ball(radius_a: f64, radius_b: f64, between: DVec3, motion: DVec3) ->
 }
 
 /// What [`ball_ball`] says of the way in, without the way out.
-#[inline]
+#[inline(always)]
 pub(crate) fn two_balls(
     radius_a: f64,
     radius_b: f64,
@@ -47,23 +47,31 @@ pub(crate) fn two_balls(
 }
 
 /// Two balls of these radii.
-#[inline]
+///
+/// All in cross products, so that whether they touch is known before anything is divided.
+#[inline(always)]
 pub(super) fn of_ball(line: &Line, radii: [f64; 2]) -> Option<Touch> {
+    let Line {
+        origin,
+        direction,
+        square,
+        ..
+    } = *line;
     let radius = radii[0] + radii[1];
-    let slack = line.slack(radius);
-    if line.passes_by(line.origin, radius + 4.0 * slack) {
+    // The closest distance times the direction, and what is left of the radius there; both times
+    // the direction's square.
+    let moment = origin.cross(direction);
+    let room = radius * radius * square - moment.length_squared();
+    if room < 0.0 && room < -2.0 * radius * line.slack(radius) * square {
         return None;
     }
-    let approach = Approach::new(line.origin, line.direction, line.square, radius);
-    if approach.room < 0.0 && approach.room < -2.0 * radius * slack {
-        return None;
-    }
-    let half = approach.half(line.square);
+    let half = room.max(0.0).sqrt();
     // From the closest point: `origin + enter · direction` would lose the digits of a far
     // origin twice.
-    let normal = normal(approach.closest - half * line.direction, radius);
+    let away = direction.cross(moment) - half * direction;
+    let normal = normal(away, radius * square);
     Some(Touch {
-        fraction: approach.enter(line.origin, line.square, radius),
+        fraction: enter(origin, -origin.dot(direction), half, square, radius),
         foot: radii[1] * normal,
         normal,
         feature: Feature::Surface,

@@ -1,7 +1,7 @@
 //! The way of a ball's centre, made fit to compute with.
 
 use super::{Crossing, Touching};
-use crate::geometry::{Feature, Ray};
+use crate::geometry::Feature;
 use crate::raycast::{GRAZE, scale};
 use glam::{DMat3, DVec3};
 
@@ -29,12 +29,9 @@ pub(super) struct Touch {
 
 impl Line {
     /// None if a number is not finite, the origin out of all bounds or the motion zero.
-    #[inline]
+    #[inline(always)]
     pub(super) fn new(origin: DVec3, motion: DVec3) -> Option<Self> {
-        let scale = scale(&Ray {
-            origin,
-            direction: motion,
-        })?;
+        let scale = scale(origin, motion)?;
         let direction = scale * motion;
         Some(Self {
             origin,
@@ -95,7 +92,7 @@ impl Line {
     }
 
     /// A ball's touch with its fraction in motions, if that is finite.
-    #[inline]
+    #[inline(always)]
     pub(super) fn touching(&self, touch: Touch) -> Option<Touching> {
         let fraction = touch.fraction * self.scale;
         fraction.is_finite().then_some(Touching {

@@ -1,6 +1,6 @@
 //! Any shape against any other.
 
-use super::{Crossing, Touching, ball_crossing, ball_touch, flat_crossing, flat_touch};
+use super::{Crossing, Touching, ball_crossing, ball_touch, flat_crossing, flat_touch, two_balls};
 use crate::geometry::{Pose, Shape};
 use glam::DVec3;
 
@@ -81,6 +81,15 @@ pub fn touch(
     pose_b: &Pose,
     motion: DVec3,
 ) -> Option<Touching> {
+    let between = pose_a.position - pose_b.position;
+    // Balls are by far the quickest: a call would cost as much as they do.
+    if let (Shape::Sphere(a), Shape::Sphere(b)) = (a, b) {
+        return two_balls(a.radius(), b.radius(), -between, motion);
+    }
+    touch_of(a, pose_a, b, pose_b, motion)
+}
+
+fn touch_of(a: &Shape, pose_a: &Pose, b: &Shape, pose_b: &Pose, motion: DVec3) -> Option<Touching> {
     let between = pose_a.position - pose_b.position;
     match (a, b) {
         (Shape::Sphere(ball), _) => ball_touch(ball, between, b, pose_b.orientation, motion),
