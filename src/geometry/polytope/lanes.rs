@@ -1,123 +1,131 @@
-//! A few vertices side by side.
+//! Vertices side by side, roughly.
 
 use glam::DVec3;
 
-/// Vertices compared at once: two registers of SSE2.
+/// Vertices compared at once: a register of SSE2.
 const WIDTH: usize = 4;
 
-/// Four vertices; places left over hold NaN, which is never farthest.
+/// Heights are rounded to multiples of this, and their last bits tell the number of the vertex: the
+/// largest of them tells both.
+const STEP: f32 = 1.0 / (1 << 15) as f32;
+
+/// Adding and subtracting it rounds a number to multiples of [`STEP`].
+const ROUNDER: f32 = 1.5 * (1 << 23) as f32 * STEP;
+
+/// Heights are below 2, where they are multiples of this.
+const NUMBER: f32 = 1.0 / (1 << 22) as f32;
+
+/// Four vertices as seen from the centre, in shares of the largest distance from there; places left
+/// over hold NaN, which is never farthest.
+///
+/// In single precision: a search looks for vertices many times, and only what it ends with has to
+/// be right.
 #[derive(Debug, Clone, Copy)]
-#[repr(align(32))]
+#[repr(align(16))]
 pub(crate) struct Lanes {
-    x: [f64; WIDTH],
-    y: [f64; WIDTH],
-    z: [f64; WIDTH],
+    x: [f32; WIDTH],
+    y: [f32; WIDTH],
+    z: [f32; WIDTH],
 }
 
 /// By bits, so that a polytope equals itself in spite of NaN.
 impl PartialEq for Lanes {
     fn eq(&self, other: &Self) -> bool {
-        let bits = |lanes: &Self| [lanes.x, lanes.y, lanes.z].map(|row| row.map(f64::to_bits));
+        let bits = |lanes: &Self| [lanes.x, lanes.y, lanes.z].map(|row| row.map(f32::to_bits));
         bits(self) == bits(other)
     }
 }
 
 impl Lanes {
-    pub(crate) const EMPTY: Self = Self {
-        x: [f64::NAN; WIDTH],
-        y: [f64::NAN; WIDTH],
-        z: [f64::NAN; WIDTH],
-    };
-
     /// Up to this many vertices are worth comparing one and all; of more, climbing finds the
     /// farthest sooner. Measured by `benches/exact_flat.rs`; only time depends on it.
-    pub(crate) const FEW: usize = 24;
+    pub(crate) const FEW: usize = 128;
 
-    /// So many lanes hold [`FEW`](Self::FEW) vertices.
-    pub(crate) const BLOCKS: usize = Self::FEW / WIDTH;
+    /// By how much less than the farthest vertex the one found may reach along a direction, in
+    /// shares of the largest distance and of the direction's length: two heights, each rounded to 2e-5
+    /// where the direction is at least 0.5 long.
+    pub(crate) const ERROR: f64 = 1e-4;
 
-    #[inline]
-    pub(crate) fn new(vertices: [DVec3; WIDTH]) -> Self {
-        Self {
-            x: vertices.map(|v| v.x),
-            y: vertices.map(|v| v.y),
-            z: vertices.map(|v| v.z),
-        }
-    }
+    /// What lies lower by this share in [`stand_out`](Self::stand_out) does so for certain, by nearly
+    /// as much.
+    pub(crate) const MARGIN: f64 = 0.5e-5;
 
-    /// Any number of vertices as seen from `centre`.
-    pub(super) fn list(vertices: &[DVec3], centre: DVec3) -> Vec<Self> {
+    /// Vertices as seen from `centre`, none of which is farther from there than `radius`.
+    pub(super) fn list(vertices: &[DVec3], centre: DVec3, radius: f64) -> Vec<Self> {
         let lanes = |four: &[DVec3]| {
-            Self::new(std::array::from_fn(|lane| {
-                four.get(lane).map_or(DVec3::NAN, |&vertex| vertex - centre)
-            }))
+            let share: [DVec3; WIDTH] = std::array::from_fn(|lane| {
+                (four.get(lane)).map_or(DVec3::NAN, |&vertex| (vertex - centre) / radius)
+            });
+            Self {
+                x: share.map(|v| v.x as f32),
+                y: share.map(|v| v.y as f32),
+                z: share.map(|v| v.z as f32),
+            }
         };
         vertices.chunks(WIDTH).map(lanes).collect()
     }
 
-    /// The same vertices in another frame, of which the axes here are given.
     #[inline]
-    pub(crate) fn turned(&self, [x, y, z]: [DVec3; 3]) -> Self {
-        let mut turned = *self;
-        for lane in 0..WIDTH {
-            let (along_x, along_y, along_z) = (self.x[lane], self.y[lane], self.z[lane]);
-            turned.x[lane] = x.x * along_x + y.x * along_y + z.x * along_z;
-            turned.y[lane] = x.y * along_x + y.y * along_y + z.y * along_z;
-            turned.z[lane] = x.z * along_x + y.z * along_y + z.z * along_z;
-        }
-        turned
+    fn heights(&self, [x, y, z]: [f32; 3]) -> [f32; WIDTH] {
+        std::array::from_fn(|lane| x * self.x[lane] + y * self.y[lane] + z * self.z[lane])
     }
 
+    /// The number of a vertex that is farthest along a direction to within
+    /// [`ERROR`](Self::ERROR); some vertex if the direction is zero or not finite.
     #[inline]
-    fn heights(&self, direction: DVec3) -> [f64; WIDTH] {
-        let mut heights = [0.0; WIDTH];
-        for (lane, height) in heights.iter_mut().enumerate() {
-            *height = direction.x * self.x[lane]
-                + direction.y * self.y[lane]
-                + direction.z * self.z[lane];
-        }
-        heights
-    }
-
-    /// The vertex with a number, of those in a list of lanes.
-    #[inline]
-    pub(crate) fn vertex(list: &[Self], number: u32) -> DVec3 {
-        let (block, lane) = (number as usize / WIDTH, number as usize % WIDTH);
-        let lanes = &list[block];
-        DVec3::new(lanes.x[lane], lanes.y[lane], lanes.z[lane])
-    }
-
-    /// Number and place of a vertex farthest along a direction.
-    #[inline]
-    pub(crate) fn farthest(list: &[Self], direction: DVec3) -> (u32, DVec3) {
-        let mut most = [f64::NEG_INFINITY; WIDTH];
-        // As numbers of the heights' own width, so that both are chosen by one mask.
-        let mut blocks = [0.0; WIDTH];
-        let mut number = 0.0;
+    pub(crate) fn farthest(list: &[Self], direction: DVec3) -> u32 {
+        let direction = (power_of_two_for(direction) * direction).to_array();
+        let direction = direction.map(|x| x as f32);
+        let mut most = [f32::NEG_INFINITY; WIDTH];
+        let mut numbers: [f32; WIDTH] = std::array::from_fn(|lane| lane as f32 * NUMBER);
         for lanes in list {
             let heights = lanes.heights(direction);
             for lane in 0..WIDTH {
-                let higher = heights[lane] > most[lane];
-                most[lane] = if higher { heights[lane] } else { most[lane] };
-                blocks[lane] = if higher { number } else { blocks[lane] };
+                let height = (heights[lane] + ROUNDER) - ROUNDER + numbers[lane];
+                most[lane] = if height > most[lane] {
+                    height
+                } else {
+                    most[lane]
+                };
+                numbers[lane] += WIDTH as f32 * NUMBER;
             }
-            number += 1.0;
         }
-        let upper = |i: usize, j: usize| if most[j] > most[i] { j } else { i };
-        let lane = upper(upper(0, 1), upper(2, 3));
-        let number = (WIDTH * blocks[lane] as usize + lane) as u32;
-        (number, Self::vertex(list, number))
+        let upper = |a: f32, b: f32| if b > a { b } else { a };
+        let most = upper(upper(most[0], most[1]), upper(most[2], most[3]));
+        (most * (1.0 / NUMBER)) as i32 as u32 % Self::FEW as u32
     }
 
-    /// How many vertices lie at a height or above.
+    /// Whether all vertices but these for certain lie lower along a unit vector.
     #[inline]
-    pub(crate) fn count_above(list: &[Self], direction: DVec3, floor: f64) -> usize {
-        let mut counts = [0.0; WIDTH];
+    pub(crate) fn stand_out<const N: usize>(
+        list: &[Self],
+        vertices: [u32; N],
+        direction: DVec3,
+    ) -> bool {
+        let direction = direction.to_array().map(|x| x as f32);
+        let [x, y, z] = direction;
+        let heights = vertices.map(|number| {
+            let (block, lane) = (number as usize / WIDTH, number as usize % WIDTH);
+            let lanes = &list[block];
+            x * lanes.x[lane] + y * lanes.y[lane] + z * lanes.z[lane]
+        });
+        let floor = heights.into_iter().fold(f32::INFINITY, f32::min) - Self::MARGIN as f32;
+        let mut counts = [0; WIDTH];
         for lanes in list {
             for (count, height) in counts.iter_mut().zip(lanes.heights(direction)) {
-                *count += if height >= floor { 1.0 } else { 0.0 };
+                *count += u32::from(height >= floor);
             }
         }
-        counts.iter().sum::<f64>() as usize
+        counts.iter().sum::<u32>() as usize == N
     }
+}
+
+/// What makes a direction's largest component at least 0.5 and less than 1.
+#[inline]
+fn power_of_two_for(direction: DVec3) -> f64 {
+    const EXPONENT: u64 = 0x7ff << 52;
+    const OF_A_HALF: u64 = 1022 << 52;
+    const OF_ONE: u64 = 1023 << 52;
+    let exponent = direction.abs().max_element().to_bits() & EXPONENT;
+    f64::from_bits((OF_A_HALF + OF_ONE).wrapping_sub(exponent))
 }

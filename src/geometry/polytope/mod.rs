@@ -93,7 +93,7 @@ pub struct Polytope {
     // looked at for a while each line of cache costs as much as a search.
     centre: DVec3,
     max_dist: f64,
-    /// The vertices about the centre, if there are few.
+    /// The vertices in single precision, if there are few.
     lanes: Vec<Lanes>,
     edge_map: EdgeMap,
     normals: Vec<DVec3>,
@@ -224,7 +224,7 @@ impl Polytope {
     ) -> Self {
         let (centre, max_dist) = bounding_sphere(&vertices);
         let lanes = if vertices.len() <= Lanes::FEW {
-            Lanes::list(&vertices, centre)
+            Lanes::list(&vertices, centre, max_dist)
         } else {
             Vec::new()
         };
@@ -265,7 +265,7 @@ impl Polytope {
         &self.face_map
     }
 
-    /// The vertices as seen from the centre, four by four; none if they are many.
+    /// The vertices in single precision, four by four; none if they are many.
     #[inline]
     pub(crate) fn lanes(&self) -> &[Lanes] {
         &self.lanes
@@ -340,6 +340,23 @@ impl Polytope {
     /// The same as [`support`](Self::support), sought from a vertex thought to be near.
     pub(crate) fn support_near(&self, direction: DVec3, start: u32) -> u32 {
         self.support.vertex_near(&self.vertices, direction, start)
+    }
+
+    /// Whether a table of directions tells vertices that are nearly the farthest.
+    #[inline]
+    pub(crate) fn has_table(&self) -> bool {
+        self.support.has_table()
+    }
+
+    /// A vertex that is farthest along a direction to within [`table_error`](Self::table_error).
+    #[inline]
+    pub(crate) fn support_by_table(&self, direction: DVec3) -> u32 {
+        self.support.by_table(direction).unwrap_or_default()
+    }
+
+    /// In shares of [`max_dist`](Self::max_dist) and of the direction's length.
+    pub(crate) fn table_error(&self) -> f64 {
+        2.0 * self.support.table_error()
     }
 
     /// The number of the edge between two vertices.

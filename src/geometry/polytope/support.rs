@@ -7,9 +7,9 @@ use glam::DVec3;
 /// edges is faster. Measured by `benches/polytope.rs`; only time depends on it.
 const SCAN: usize = 24;
 
-/// Vertices per cell of the table of starts: with four a climb takes about two
-/// steps, and the table is small beside the vertices.
-const VERTICES_PER_CELL: usize = 4;
+/// Vertices per cell of the table of starts: with one a climb takes about one step, and the
+/// table is small beside the vertices.
+const VERTICES_PER_CELL: usize = 1;
 
 /// How to find the farthest vertex of a convex body.
 #[derive(Debug, Clone, PartialEq)]
@@ -64,6 +64,26 @@ impl Support {
         let nearer = reach(guess) > reach(start);
         let start = std::hint::select_unpredictable(nearer, guess, start);
         self.climb(vertices, direction, start)
+    }
+
+    /// Whether there is a table of directions.
+    pub(super) fn has_table(&self) -> bool {
+        !self.starts.is_empty()
+    }
+
+    /// The vertex that the table has for a direction; none without one.
+    #[inline]
+    pub(super) fn by_table(&self, direction: DVec3) -> Option<u32> {
+        self.starts.get(self.cell(direction)).copied()
+    }
+
+    /// By how much less than the farthest vertex the table's may reach along a direction, in shares
+    /// of its length and of the largest distance between two vertices.
+    ///
+    /// That one is the farthest along the middle of the direction's cell, which on a face of the cube is
+    /// no farther off than half a cell's diagonal.
+    pub(super) fn table_error(&self) -> f64 {
+        std::f64::consts::SQRT_2 / self.cells as f64
     }
 
     /// The corners of the exact hull around one of them.

@@ -4,88 +4,108 @@ use super::body::Body;
 use crate::geometry::{Lanes, Polytope, Shape};
 use glam::{DMat3, DVec3};
 
-/// Room for a few vertices.
-pub(super) type Few = [Lanes; Lanes::BLOCKS];
+/// How closely a farthest vertex is sought. Only the end of a search need be right; on the way
+/// there what is nearly farthest does as well and costs less.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Care {
+    /// Whatever a table of directions has.
+    Coarse,
+    /// To within [`Lanes::ERROR`].
+    Close,
+    /// To within rounding.
+    Closest,
+}
 
 /// A body's vertices along the axes of a search, about the body's centre.
-pub(super) enum Extremes<'a> {
-    Few(&'a [Lanes]),
-    Many(Climber<'a>),
+pub(super) struct Extremes<'a> {
+    body: &'a Body<'a>,
+    /// From the shape's frame to the search's.
+    turn: DMat3,
+    vertices: Vertices<'a>,
+    /// The one found last.
+    last: u32,
+}
+
+/// What a body's vertices are sought among.
+enum Vertices<'a> {
+    Plain,
+    /// A polytope's with few.
+    Few(&'a Polytope, &'a [Lanes]),
+    /// A polytope's with some, fewer than are worth climbing over.
+    Some(&'a Polytope, &'a [Lanes]),
+    /// A polytope's with many.
+    Many(&'a Polytope),
 }
 
 impl<'a> Extremes<'a> {
-    /// `turn` leads from the shape's frame to the search's.
     #[inline(always)]
-    pub(super) fn turned(body: &Body<'a>, turn: &DMat3, few: &'a mut Few) -> Self {
-        let axes = [turn.x_axis, turn.y_axis, turn.z_axis];
-        let used = match body.shape {
-            Shape::Sphere(_) => 0,
-            Shape::Cuboid(cuboid) => {
-                let half = cuboid.half_extents();
-                let [x, y, z] = [half.x * axes[0], half.y * axes[1], half.z * axes[2]];
-                let (sum, difference) = (x + y, x - y);
-                few[0] = Lanes::new([-sum - z, difference - z, -difference - z, sum - z]);
-                few[1] = Lanes::new([-sum + z, difference + z, -difference + z, sum + z]);
-                2
-            }
-            Shape::Triangle(triangle) => {
-                let [a, b, c] = triangle.vertices().map(|v| *turn * (v - body.centre));
-                few[0] = Lanes::new([a, b, c, DVec3::NAN]);
-                1
-            }
-            Shape::Polytope(polytope) => {
-                let lanes = polytope.lanes();
-                if lanes.is_empty() {
-                    return Self::Many(Climber::new(polytope, body, turn));
-                }
-                for (turned, lanes) in few.iter_mut().zip(lanes) {
-                    *turned = lanes.turned(axes);
-                }
-                lanes.len()
-            }
+    pub(super) fn new(body: &'a Body<'a>, turn: DMat3) -> Self {
+        let vertices = match body.shape {
+            Shape::Polytope(polytope) => match (polytope.lanes(), polytope.has_table()) {
+                ([], _) => Vertices::Many(polytope),
+                (lanes, false) => Vertices::Few(polytope, lanes),
+                (lanes, true) => Vertices::Some(polytope, lanes),
+            },
+            _ => Vertices::Plain,
         };
-        Self::Few(&few[..used])
+        Self {
+            body,
+            turn,
+            vertices,
+            last: 0,
+        }
     }
 
-    /// The same where the search's frame is the shape's.
-    #[inline(always)]
-    pub(super) fn standing(body: &Body<'a>, few: &'a mut Few) -> Self {
-        match body.shape {
-            Shape::Polytope(polytope) if !polytope.lanes().is_empty() => {
-                Self::Few(polytope.lanes())
+    /// With how much care to begin: more would be wasted, and less is no cheaper.
+    #[inline]
+    pub(super) fn least_care(&self) -> Care {
+        match self.vertices {
+            Vertices::Some(..) | Vertices::Many(_) => Care::Coarse,
+            Vertices::Few(..) => Care::Close,
+            Vertices::Plain => Care::Closest,
+        }
+    }
+
+    /// By how much less than the farthest vertex the one found may reach along a unit vector, in
+    /// metres.
+    pub(super) fn error(&self, care: Care) -> f64 {
+        let share = match (&self.vertices, care) {
+            (Vertices::Some(polytope, _) | Vertices::Many(polytope), Care::Coarse) => {
+                polytope.table_error()
             }
-            _ => Self::turned(body, &DMat3::IDENTITY, few),
-        }
+            (Vertices::Few(..) | Vertices::Some(..), Care::Coarse | Care::Close) => Lanes::ERROR,
+            _ => 0.0,
+        };
+        share * self.body.radius
     }
 
-    /// A vertex farthest along a direction of any length, and where it is.
+    /// A vertex farthest along a direction of any length, to within [`error`](Self::error), and where
+    /// it is.
     #[inline]
-    pub(super) fn farthest(&mut self, direction: DVec3) -> (u32, DVec3) {
-        match self {
-            Self::Few(lanes) => Lanes::farthest(lanes, direction),
-            Self::Many(climber) => climber.farthest(direction),
-        }
+    pub(super) fn farthest(&mut self, direction: DVec3, care: Care) -> (u32, DVec3) {
+        let direction = self.turn.transpose() * direction;
+        let vertex = match (&self.vertices, care) {
+            (Vertices::Few(_, lanes), Care::Coarse | Care::Close)
+            | (Vertices::Some(_, lanes), Care::Close) => Lanes::farthest(lanes, direction),
+            (Vertices::Some(polytope, _) | Vertices::Many(polytope), Care::Coarse) => {
+                polytope.support_by_table(direction)
+            }
+            (Vertices::Few(polytope, _) | Vertices::Some(polytope, _), Care::Closest) => {
+                polytope.support(direction)
+            }
+            (Vertices::Many(polytope), Care::Close | Care::Closest) => {
+                self.last = polytope.support_near(direction, self.last);
+                self.last
+            }
+            (Vertices::Plain, _) => self.body.support_local(direction),
+        };
+        (vertex, self.turn * self.body.local(vertex))
     }
+}
 
-    /// The same for a direction near that of the last call.
-    #[inline]
-    pub(super) fn farthest_nearby(&mut self, direction: DVec3) -> (u32, DVec3) {
-        match self {
-            Self::Few(lanes) => Lanes::farthest(lanes, direction),
-            Self::Many(climber) => climber.farthest_nearby(direction),
-        }
-    }
-
-    /// Where a vertex is.
-    #[inline]
-    pub(super) fn vertex(&self, number: u32) -> DVec3 {
-        match self {
-            Self::Few(lanes) => Lanes::vertex(lanes, number),
-            Self::Many(climber) => climber.place(number),
-        }
-    }
-
-    /// Whether all vertices but these lie lower along a unit vector, by more than `margin`.
+impl Body<'_> {
+    /// Whether all vertices but these lie lower along a unit vector of the world, by more
+    /// than `margin`, a small share of the radius.
     ///
     /// The body is convex: of many vertices only neighbours need be looked at.
     #[inline]
@@ -95,61 +115,27 @@ impl<'a> Extremes<'a> {
         direction: DVec3,
         margin: f64,
     ) -> bool {
-        match self {
-            Self::Few(lanes) => {
-                let heights = vertices.map(|vertex| direction.dot(Lanes::vertex(lanes, vertex)));
-                let floor = heights.into_iter().fold(f64::INFINITY, f64::min) - margin;
-                Lanes::count_above(lanes, direction, floor) == N
-            }
-            Self::Many(climber) => climber.stand_out(&vertices, direction, margin),
+        let direction = self.rotation.transpose() * direction;
+        let height = |vertex| direction.dot(self.local(vertex));
+        let alone = || {
+            let floor = vertices.map(height).into_iter().fold(f64::MAX, f64::min) - margin;
+            let count = self.vertex_count() as u32;
+            (0..count).all(|other| vertices.contains(&other) || height(other) < floor)
+        };
+        let Shape::Polytope(polytope) = self.shape else {
+            return alone();
+        };
+        match polytope.lanes() {
+            [] => vertices.iter().all(|&vertex| {
+                let here = polytope.vertices()[vertex as usize];
+                let neighbours = polytope.neighbours(vertex);
+                let lower = |&other: &u32| {
+                    let step = here - polytope.vertices()[other as usize];
+                    vertices.contains(&other) || direction.dot(step) > margin
+                };
+                !neighbours.is_empty() && neighbours.iter().all(lower)
+            }),
+            lanes => Lanes::stand_out(lanes, vertices, direction) || alone(),
         }
-    }
-}
-
-/// A polytope of many vertices.
-pub(super) struct Climber<'a> {
-    polytope: &'a Polytope,
-    centre: DVec3,
-    turn: DMat3,
-    last: u32,
-}
-
-impl<'a> Climber<'a> {
-    fn new(polytope: &'a Polytope, body: &Body<'a>, turn: &DMat3) -> Self {
-        Self {
-            polytope,
-            centre: body.centre,
-            turn: *turn,
-            last: 0,
-        }
-    }
-
-    fn farthest(&mut self, direction: DVec3) -> (u32, DVec3) {
-        self.last = self.polytope.support(self.turn.transpose() * direction);
-        (self.last, self.place(self.last))
-    }
-
-    fn farthest_nearby(&mut self, direction: DVec3) -> (u32, DVec3) {
-        let direction = self.turn.transpose() * direction;
-        self.last = self.polytope.support_near(direction, self.last);
-        (self.last, self.place(self.last))
-    }
-
-    #[inline]
-    fn place(&self, vertex: u32) -> DVec3 {
-        self.turn * (self.polytope.vertices()[vertex as usize] - self.centre)
-    }
-
-    fn stand_out(&self, vertices: &[u32], direction: DVec3, margin: f64) -> bool {
-        let direction = self.turn.transpose() * direction;
-        let places = self.polytope.vertices();
-        vertices.iter().all(|&vertex| {
-            let here = places[vertex as usize];
-            let neighbours = self.polytope.neighbours(vertex);
-            let lower = |&other: &u32| {
-                vertices.contains(&other) || direction.dot(here - places[other as usize]) > margin
-            };
-            !neighbours.is_empty() && neighbours.iter().all(lower)
-        })
     }
 }

@@ -6,7 +6,7 @@ use super::faces;
 use super::pair::Pair;
 use super::portal::{Found, Probe, Shadow};
 use super::snap::{Place, Touch};
-use crate::geometry::{Lanes, Shape};
+use crate::geometry::Shape;
 use glam::{DQuat, DVec3};
 
 /// When `a`, moving straight past `b`, touches it and parts from it.
@@ -210,8 +210,7 @@ fn touch(pair: &Pair) -> Option<Touch> {
         let (normal, time) = faces::entry(pair)?;
         return Some(careful(pair, normal, time));
     }
-    let mut few = [[Lanes::EMPTY; Lanes::BLOCKS]; 2];
-    let mut shadow = Shadow::new(pair, &mut few);
+    let mut shadow = Shadow::new(pair);
     let found = match shadow.enclose() {
         Found::Yes(probes) => entry(&mut shadow, probes),
         Found::Miss => return None,
@@ -229,17 +228,23 @@ fn careful(pair: &Pair, normal: DVec3, time: f64) -> Touch {
 }
 
 /// The touch from three points around the ray.
-fn entry(shadow: &mut Shadow, probes: [Probe; 3]) -> Option<Touch> {
-    let portal = shadow.refine(probes)?;
-    if let Some(touch) = shadow.settle(&portal) {
-        return Some(touch);
+fn entry(shadow: &mut Shadow, mut probes: [Probe; 3]) -> Option<Touch> {
+    loop {
+        let portal = shadow.refine(&mut probes);
+        if let Some(touch) = portal.as_ref().and_then(|portal| shadow.settle(portal)) {
+            return Some(touch);
+        }
+        if shadow.take_more_care() {
+            continue;
+        }
+        let portal = portal?;
+        let pair = shadow.pair;
+        let [p, q, r] = portal.probes.map(|probe| probe.vertices);
+        let touch = pair.touch(
+            portal.normal,
+            pair.nearest_distance + portal.time,
+            [portal.vertices, p, q, r],
+        );
+        return touch.certain.then_some(touch);
     }
-    let pair = shadow.pair;
-    let [p, q, r] = portal.probes.map(|probe| probe.vertices);
-    let touch = pair.touch(
-        pair.b.rotation * portal.normal,
-        pair.nearest_distance + portal.time,
-        [portal.vertices, p, q, r],
-    );
-    touch.certain.then_some(touch)
 }

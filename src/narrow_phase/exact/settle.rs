@@ -46,87 +46,85 @@ impl Shadow<'_> {
 
     fn vertex_on_face(&self, portal: &Portal, vertex: u32, corners: [u32; 3]) -> Option<Touch> {
         let (a, b) = (&self.pair.a, &self.pair.b);
-        let (face, normal) = b.face_through(corners, portal.normal)?;
-        if !self.a.stand_out([vertex], -normal, FEATURE * a.radius) {
+        let (face, normal) = b.face_through(corners, b.rotation.transpose() * portal.normal)?;
+        let outward = b.rotation * normal;
+        if !a.stand_out([vertex], -outward, FEATURE * a.radius) {
             return None;
         }
-        let place = self.a.vertex(vertex);
-        let height = |corner| normal.dot(self.b.vertex(corner));
+        let place = a.vertex(vertex);
+        let height = |corner| normal.dot(b.local(corner));
         let top = corners.map(height).into_iter().fold(f64::MIN, f64::max);
-        let (time, outward) = self.time(portal, normal, top - normal.dot(place))?;
         Some(Touch {
-            time,
+            time: self.time(portal, outward, top - outward.dot(place))?,
             normal: outward,
             features: [Feature::Vertex(vertex), Feature::Face(face)],
-            point: Place::OnA(b.rotation * place),
+            point: Place::OnA(place),
             certain: true,
         })
     }
 
     fn face_on_vertex(&self, portal: &Portal, corners: [u32; 3], vertex: u32) -> Option<Touch> {
         let (a, b) = (&self.pair.a, &self.pair.b);
-        let (face, inward) = a.face_through(corners, self.turn.transpose() * -portal.normal)?;
-        let normal = -(self.turn * inward);
-        if !self.b.stand_out([vertex], normal, FEATURE * b.radius) {
+        let (face, normal) = a.face_through(corners, a.rotation.transpose() * -portal.normal)?;
+        let outward = -(a.rotation * normal);
+        if !b.stand_out([vertex], outward, FEATURE * b.radius) {
             return None;
         }
-        let place = self.b.vertex(vertex);
-        let height = |corner| normal.dot(self.a.vertex(corner));
-        let bottom = corners.map(height).into_iter().fold(f64::MAX, f64::min);
-        let (time, outward) = self.time(portal, normal, normal.dot(place) - bottom)?;
+        let place = b.vertex(vertex);
+        let height = |corner| normal.dot(a.local(corner));
+        let top = corners.map(height).into_iter().fold(f64::MIN, f64::max);
         Some(Touch {
-            time,
+            time: self.time(portal, outward, outward.dot(place) + top)?,
             normal: outward,
             features: [Feature::Face(face), Feature::Vertex(vertex)],
-            point: Place::OnB(b.rotation * place),
+            point: Place::OnB(place),
             certain: true,
         })
     }
 
     fn edge_on_edge(&self, portal: &Portal, ends_a: [u32; 2], ends_b: [u32; 2]) -> Option<Touch> {
         let (a, b) = (&self.pair.a, &self.pair.b);
-        let [from_a, to_a] = ends_a.map(|vertex| self.a.vertex(vertex));
-        let [from_b, to_b] = ends_b.map(|vertex| self.b.vertex(vertex));
+        let [from_a, to_a] = ends_a.map(|vertex| a.vertex(vertex));
+        let [from_b, to_b] = ends_b.map(|vertex| b.vertex(vertex));
         let (along_a, along_b) = (to_a - from_a, to_b - from_b);
         let cross = along_a.cross(along_b);
         let square = cross.length_squared();
         if square <= PARALLEL * along_a.length_squared() * along_b.length_squared() {
             return None;
         }
-        let normal = cross * (1.0_f64.copysign(cross.dot(portal.normal)) / square.sqrt());
-        if !(self.b.stand_out(ends_b, normal, FEATURE * b.radius)
-            && self.a.stand_out(ends_a, -normal, FEATURE * a.radius))
+        let outward = cross * (1.0_f64.copysign(cross.dot(portal.normal)) / square.sqrt());
+        if !(b.stand_out(ends_b, outward, FEATURE * b.radius)
+            && a.stand_out(ends_a, -outward, FEATURE * a.radius))
         {
             return None;
         }
         let (edge_a, edge_b) = (a.edge_between(ends_a)?, b.edge_between(ends_b)?);
-        let (time, outward) = self.time(portal, normal, normal.dot(from_b - from_a))?;
+        let time = self.time(portal, outward, outward.dot(from_b - from_a))?;
         // Where B's edge crosses A's, seen along the normal.
-        let to_a = self.nearest + (time - self.pair.nearest_distance) * self.along;
+        let to_a = self.pair.nearest + (time - self.pair.nearest_distance) * self.pair.motion;
         let share = along_a.cross(from_a + to_a - from_b).dot(cross) / square;
         let point = from_b + share.clamp(0.0, 1.0) * along_b;
         Some(Touch {
             time,
             normal: outward,
             features: [Feature::Edge(edge_a), Feature::Edge(edge_b)],
-            point: Place::OnB(b.rotation * point),
+            point: Place::OnB(point),
             certain: true,
         })
     }
 
-    /// When A reaches the plane that holds B back, and its normal along the world's axes, if
-    /// that agrees with the search; `height` is the difference's above its middle.
-    fn time(&self, portal: &Portal, normal: DVec3, height: f64) -> Option<(f64, DVec3)> {
+    /// When A reaches the plane that holds B back, if that agrees with the search; `height` is the
+    /// difference's along the plane's normal.
+    fn time(&self, portal: &Portal, outward: DVec3, height: f64) -> Option<f64> {
         let pair = self.pair;
-        let outward = pair.b.rotation * normal;
         let speed = outward.dot(pair.motion);
         let time = (height - outward.dot(pair.offset)) / speed;
         let found = pair.nearest_distance + portal.time;
         // Features found a hair off the ray must not move it.
-        let moved = (time - found) * speed.min(portal.normal.dot(self.along));
+        let moved = (time - found) * speed.min(portal.normal.dot(pair.motion));
         let agrees =
-            speed < 0.0 && normal.dot(portal.normal) > 0.999 && moved.abs() <= pair.doubt();
+            speed < 0.0 && outward.dot(portal.normal) > 0.999 && moved.abs() <= pair.doubt();
         // Of what is nearly along the motion rounding makes long times.
-        agrees.then_some((if speed < -STEEP { time } else { found }, outward))
+        agrees.then_some(if speed < -STEEP { time } else { found })
     }
 }
