@@ -10,6 +10,7 @@
 mod bodies;
 mod cases;
 mod found;
+mod large;
 mod oracle;
 mod patch;
 mod random;
