@@ -25,6 +25,8 @@ pub(crate) struct EdgeMap {
     pairs: Vec<u8>,
     count: usize,
     of_vertices: Lists,
+    /// The other ends of those edges.
+    others: Lists,
 }
 
 /// No edge.
@@ -58,11 +60,25 @@ impl EdgeMap {
                 pairs[to * count + from] = number;
             }
         }
+        let of_vertices = gathered(vertices.len(), edges, |edge| edge.vertices);
+        let mut others = Lists::new();
+        for vertex in 0..count {
+            let other = |&edge: &u32| {
+                let [first, second] = edges[edge as usize].vertices;
+                if first as usize == vertex {
+                    second
+                } else {
+                    first
+                }
+            };
+            others.push(of_vertices.get(vertex).iter().map(other));
+        }
         Self {
             lines: edges.iter().map(line).collect(),
             pairs,
             count,
-            of_vertices: gathered(vertices.len(), edges, |edge| edge.vertices),
+            of_vertices,
+            others,
         }
     }
 
@@ -79,16 +95,13 @@ impl EdgeMap {
         }
         let (around_from, around_to) = (self.around_vertex(from), self.around_vertex(to));
         // A cone's tip has many.
-        let list = if around_from.len() <= around_to.len() {
-            around_from
+        let (list, here, there) = if around_from.len() <= around_to.len() {
+            (around_from, from, to)
         } else {
-            around_to
+            (around_to, to, from)
         };
-        let joins = |&&edge: &&u32| {
-            let [first, second] = self.line(edge).vertices;
-            (first, second) == (from, to) || (first, second) == (to, from)
-        };
-        list.iter().find(joins).copied()
+        let mut others = self.others.get(here as usize).iter();
+        list.get(others.position(|&other| other == there)?).copied()
     }
 
     /// The edges that end at a vertex; none at one amid a face.
