@@ -151,7 +151,12 @@ impl<'a> Boxes<'a> {
             axes,
             ..
         } = self;
-        let sizes = axes.map(|axis| axis.map(f64::abs));
+        let DMat3 {
+            x_axis,
+            y_axis,
+            z_axis,
+        } = self.turn;
+        let sizes = [x_axis, y_axis, z_axis].map(|axis| axis.abs().to_array());
         let (centre, motion) = (self.centre.to_array(), self.motion.to_array());
         let mut spans = Spans::new(self.pair.rounding);
         for i in 0..3 {
