@@ -67,7 +67,7 @@ pub(crate) fn check(input: &Cast) -> Checked {
         panic!("a ghost: {}", about());
     };
     let speed = input.motion.length();
-    let rounding = 1e-12 * size + 16.0 * f64::EPSILON * input.position.length();
+    let rounding = 1e-12 * size + 4.5 * f64::EPSILON * input.position.length();
     let flight = Flight::of(input, 0.0);
     let mut checked = Checked {
         hit: true,

@@ -5,6 +5,9 @@ use super::ball_line::{Line, Touch};
 use crate::geometry::{Feature, Triangle};
 use glam::DVec3;
 
+/// Lines that begin farther away than so many radii are begun anew where they are nearest.
+const FAR: f64 = 16.0;
+
 /// The first of what the rounded triangle is made of: the prism over it and three capsules.
 pub(super) fn of_triangle(line: &Line, triangle: &Triangle, radius: f64) -> Option<Touch> {
     let vertices @ [a, b, c] = triangle.vertices();
@@ -19,6 +22,15 @@ pub(super) fn of_triangle(line: &Line, triangle: &Triangle, radius: f64) -> Opti
     if let Some(top) = over_face(line, triangle, radius) {
         return Some(top);
     }
+    // From afar as from near: else each coordinate brings along the rounding of the distance.
+    let middle = -(line.origin - centre).dot(line.direction) / line.square;
+    let near = FAR * (around + radius);
+    let skipped = if middle * middle * line.square > near * near {
+        middle
+    } else {
+        0.0
+    };
+    let line = &line.begun_at(line.origin + skipped * line.direction);
     let edges = [(a, b), (b, c), (c, a)];
     let meetings = edges.map(|(from, to)| meet(line, from, to - from, radius));
     let mut index = usize::from(meetings[1].before(&meetings[0]));
@@ -41,7 +53,7 @@ pub(super) fn of_triangle(line: &Line, triangle: &Triangle, radius: f64) -> Opti
         }
     };
     Some(Touch {
-        fraction: meeting.fraction,
+        fraction: skipped + meeting.fraction,
         foot,
         normal: meeting.away.normalize_or(triangle.normal()),
         feature,
