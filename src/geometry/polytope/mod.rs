@@ -354,6 +354,12 @@ impl Polytope {
         self.support.by_table(direction).unwrap_or_default()
     }
 
+    /// The same, as a rule the farthest, at the price of looking at a vertex's neighbours.
+    #[inline]
+    pub(crate) fn support_by_ring(&self, direction: DVec3) -> u32 {
+        (self.support.by_ring(&self.vertices, direction)).unwrap_or_default()
+    }
+
     /// In shares of [`max_dist`](Self::max_dist) and of the direction's length.
     pub(crate) fn table_error(&self) -> f64 {
         2.0 * self.support.table_error()

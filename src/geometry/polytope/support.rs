@@ -31,11 +31,11 @@ impl Support {
             climb,
             cells: ((vertices.len() / (6 * VERTICES_PER_CELL)) as f64)
                 .sqrt()
-                .ceil() as usize,
+                .ceil()
+                .max(1.0) as usize,
             starts: Vec::new(),
         };
         if vertices.len() > SCAN {
-            support.cells = support.cells.max(1);
             let mut start = first;
             for cell in 0..6 * support.cells * support.cells {
                 start = support.climb(vertices, support.middle(cell), start);
@@ -47,19 +47,17 @@ impl Support {
 
     /// A vertex farthest along `direction`.
     pub(super) fn vertex(&self, vertices: &[DVec3], direction: DVec3) -> u32 {
-        if self.starts.is_empty() {
-            return scan(vertices, direction);
+        match self.by_table(direction) {
+            Some(start) => self.climb(vertices, direction, start),
+            None => scan(vertices, direction),
         }
-        let start = self.starts[self.cell(direction)];
-        self.climb(vertices, direction, start)
     }
 
     /// The same, sought from a vertex that may be nearer than the table's.
     pub(super) fn vertex_near(&self, vertices: &[DVec3], direction: DVec3, guess: u32) -> u32 {
-        if self.starts.is_empty() {
+        let Some(start) = self.by_table(direction) else {
             return scan(vertices, direction);
-        }
-        let start = self.starts[self.cell(direction)];
+        };
         let reach = |vertex: u32| direction.dot(vertices[vertex as usize]);
         let nearer = reach(guess) > reach(start);
         let start = std::hint::select_unpredictable(nearer, guess, start);
@@ -75,6 +73,13 @@ impl Support {
     #[inline]
     pub(super) fn by_table(&self, direction: DVec3) -> Option<u32> {
         self.starts.get(self.cell(direction)).copied()
+    }
+
+    /// The farthest of the table's vertex and of those around it: as a rule of all.
+    #[inline]
+    pub(super) fn by_ring(&self, vertices: &[DVec3], direction: DVec3) -> Option<u32> {
+        let vertex = self.by_table(direction)?;
+        Some(self.highest_around(vertices, direction, vertex).0)
     }
 
     /// By how much less than the farthest vertex the table's may reach along a direction, in shares
@@ -129,26 +134,33 @@ impl Support {
         let mut best = start;
         // Products that underflow have no such bound on their rounding.
         for _ in 0..vertices.len() {
-            let here = vertices[best as usize];
-            let (mut gain, mut higher) = (0.0, best);
-            for &neighbour in self.climb.get(best as usize) {
-                let height = direction.dot(vertices[neighbour as usize] - here);
-                // NaN is no gain. Two selections and no branch: which neighbour is higher
-                // cannot be predicted.
-                let up = height > gain;
-                gain = if up { height } else { gain };
-                higher = std::hint::select_unpredictable(up, neighbour, higher);
-            }
+            let (higher, gain) = self.highest_around(vertices, direction, best);
             if higher == best {
                 break;
             }
-            let products = direction * (vertices[higher as usize] - here);
+            let products = direction * (vertices[higher as usize] - vertices[best as usize]);
             if gain <= 4.0 * f64::EPSILON * products.abs().element_sum() {
                 break;
             }
             best = higher;
         }
         best
+    }
+
+    /// The highest of a vertex and its neighbours, and how much higher it is.
+    #[inline]
+    fn highest_around(&self, vertices: &[DVec3], direction: DVec3, vertex: u32) -> (u32, f64) {
+        let here = vertices[vertex as usize];
+        let (mut gain, mut higher) = (0.0, vertex);
+        for &neighbour in self.climb.get(vertex as usize) {
+            let height = direction.dot(vertices[neighbour as usize] - here);
+            // NaN is no gain. Two selections and no branch: which neighbour is higher
+            // cannot be predicted.
+            let up = height > gain;
+            gain = if up { height } else { gain };
+            higher = std::hint::select_unpredictable(up, neighbour, higher);
+        }
+        (higher, gain)
     }
 
     /// The cell `direction` runs through. NaN and zero get some cell: a cast

@@ -10,7 +10,8 @@ use glam::{DMat3, DVec3};
 pub(super) enum Care {
     /// Whatever a table of directions has.
     Coarse,
-    /// To within [`Lanes::ERROR`].
+    /// Of a polytope with many vertices the farthest around that one, of others the farthest to within
+    /// [`Lanes::ERROR`].
     Close,
     /// To within rounding.
     Closest,
@@ -22,8 +23,6 @@ pub(super) struct Extremes<'a> {
     /// From the shape's frame to the search's.
     turn: DMat3,
     vertices: Vertices<'a>,
-    /// The one found last.
-    last: u32,
 }
 
 /// What a body's vertices are sought among.
@@ -52,7 +51,6 @@ impl<'a> Extremes<'a> {
             body,
             turn,
             vertices,
-            last: 0,
         }
     }
 
@@ -70,9 +68,8 @@ impl<'a> Extremes<'a> {
     /// metres.
     pub(super) fn error(&self, care: Care) -> f64 {
         let share = match (&self.vertices, care) {
-            (Vertices::Some(polytope, _) | Vertices::Many(polytope), Care::Coarse) => {
-                polytope.table_error()
-            }
+            (Vertices::Some(polytope, _), Care::Coarse)
+            | (Vertices::Many(polytope), Care::Coarse | Care::Close) => polytope.table_error(),
             (Vertices::Few(..) | Vertices::Some(..), Care::Coarse | Care::Close) => Lanes::ERROR,
             _ => 0.0,
         };
@@ -82,7 +79,7 @@ impl<'a> Extremes<'a> {
     /// A vertex farthest along a direction of any length, to within [`error`](Self::error), and where
     /// it is.
     #[inline]
-    pub(super) fn farthest(&mut self, direction: DVec3, care: Care) -> (u32, DVec3) {
+    pub(super) fn farthest(&self, direction: DVec3, care: Care) -> (u32, DVec3) {
         let direction = self.turn.transpose() * direction;
         let vertex = match (&self.vertices, care) {
             (Vertices::Few(_, lanes), Care::Coarse | Care::Close)
@@ -90,13 +87,11 @@ impl<'a> Extremes<'a> {
             (Vertices::Some(polytope, _) | Vertices::Many(polytope), Care::Coarse) => {
                 polytope.support_by_table(direction)
             }
-            (Vertices::Few(polytope, _) | Vertices::Some(polytope, _), Care::Closest) => {
-                polytope.support(direction)
-            }
-            (Vertices::Many(polytope), Care::Close | Care::Closest) => {
-                self.last = polytope.support_near(direction, self.last);
-                self.last
-            }
+            (Vertices::Many(polytope), Care::Close) => polytope.support_by_ring(direction),
+            (
+                Vertices::Few(polytope, _) | Vertices::Some(polytope, _) | Vertices::Many(polytope),
+                Care::Closest,
+            ) => polytope.support(direction),
             (Vertices::Plain, _) => self.body.support_local(direction),
         };
         (vertex, self.turn * self.body.local(vertex))
