@@ -12,8 +12,9 @@ const STEP: f32 = 1.0 / (1 << 15) as f32;
 /// Adding and subtracting it rounds a number to multiples of [`STEP`].
 const ROUNDER: f32 = 1.5 * (1 << 23) as f32 * STEP;
 
-/// Heights are below 2, where they are multiples of this.
+/// Heights are below 2, where they are multiples of this: up to 128 numbers fit in a [`STEP`].
 const NUMBER: f32 = 1.0 / (1 << 22) as f32;
+const NUMBERS: u32 = 128;
 
 /// Four vertices as seen from the centre, in shares of the largest distance from there; places left
 /// over hold NaN, which is never farthest.
@@ -39,7 +40,7 @@ impl PartialEq for Lanes {
 impl Lanes {
     /// Up to this many vertices are worth comparing one and all; of more, climbing finds the
     /// farthest sooner. Measured by `benches/exact_flat.rs`; only time depends on it.
-    pub(crate) const FEW: usize = 128;
+    pub(crate) const FEW: usize = 24;
 
     /// By how much less than the farthest vertex the one found may reach along a direction, in
     /// shares of the largest distance and of the direction's length: two heights, each rounded to 2e-5
@@ -92,7 +93,7 @@ impl Lanes {
         }
         let upper = |a: f32, b: f32| if b > a { b } else { a };
         let most = upper(upper(most[0], most[1]), upper(most[2], most[3]));
-        (most * (1.0 / NUMBER)) as i32 as u32 % Self::FEW as u32
+        (most * (1.0 / NUMBER)) as i32 as u32 % NUMBERS
     }
 
     /// Whether all vertices but these for certain lie lower along a unit vector.

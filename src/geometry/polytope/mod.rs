@@ -342,12 +342,6 @@ impl Polytope {
         self.support.vertex_near(&self.vertices, direction, start)
     }
 
-    /// Whether a table of directions tells vertices that are nearly the farthest.
-    #[inline]
-    pub(crate) fn has_table(&self) -> bool {
-        self.support.has_table()
-    }
-
     /// A vertex that is farthest along a direction to within [`table_error`](Self::table_error).
     #[inline]
     pub(crate) fn support_by_table(&self, direction: DVec3) -> u32 {

@@ -1,11 +1,12 @@
 //! The farthest vertex along a direction.
 
+use super::Lanes;
 use super::topology::Lists;
 use glam::DVec3;
 
 /// Up to this many vertices are compared one by one; with more, climbing over
 /// edges is faster. Measured by `benches/polytope.rs`; only time depends on it.
-const SCAN: usize = 24;
+const SCAN: usize = Lanes::FEW;
 
 /// Vertices per cell of the table of starts: with one a climb takes about one step, and the
 /// table is small beside the vertices.
@@ -62,11 +63,6 @@ impl Support {
         let nearer = reach(guess) > reach(start);
         let start = std::hint::select_unpredictable(nearer, guess, start);
         self.climb(vertices, direction, start)
-    }
-
-    /// Whether there is a table of directions.
-    pub(super) fn has_table(&self) -> bool {
-        !self.starts.is_empty()
     }
 
     /// The vertex that the table has for a direction; none without one.

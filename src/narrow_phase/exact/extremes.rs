@@ -30,8 +30,6 @@ enum Vertices<'a> {
     Plain,
     /// A polytope's with few.
     Few(&'a Polytope, &'a [Lanes]),
-    /// A polytope's with some, fewer than are worth climbing over.
-    Some(&'a Polytope, &'a [Lanes]),
     /// A polytope's with many.
     Many(&'a Polytope),
 }
@@ -40,10 +38,9 @@ impl<'a> Extremes<'a> {
     #[inline(always)]
     pub(super) fn new(body: &'a Body<'a>, turn: DMat3) -> Self {
         let vertices = match body.shape {
-            Shape::Polytope(polytope) => match (polytope.lanes(), polytope.has_table()) {
-                ([], _) => Vertices::Many(polytope),
-                (lanes, false) => Vertices::Few(polytope, lanes),
-                (lanes, true) => Vertices::Some(polytope, lanes),
+            Shape::Polytope(polytope) => match polytope.lanes() {
+                [] => Vertices::Many(polytope),
+                lanes => Vertices::Few(polytope, lanes),
             },
             _ => Vertices::Plain,
         };
@@ -58,7 +55,7 @@ impl<'a> Extremes<'a> {
     #[inline]
     pub(super) fn least_care(&self) -> Care {
         match self.vertices {
-            Vertices::Some(..) | Vertices::Many(_) => Care::Coarse,
+            Vertices::Many(_) => Care::Coarse,
             Vertices::Few(..) => Care::Close,
             Vertices::Plain => Care::Closest,
         }
@@ -68,9 +65,8 @@ impl<'a> Extremes<'a> {
     /// metres.
     pub(super) fn error(&self, care: Care) -> f64 {
         let share = match (&self.vertices, care) {
-            (Vertices::Some(polytope, _), Care::Coarse)
-            | (Vertices::Many(polytope), Care::Coarse | Care::Close) => polytope.table_error(),
-            (Vertices::Few(..) | Vertices::Some(..), Care::Coarse | Care::Close) => Lanes::ERROR,
+            (Vertices::Many(polytope), Care::Coarse | Care::Close) => polytope.table_error(),
+            (Vertices::Few(..), Care::Coarse | Care::Close) => Lanes::ERROR,
             _ => 0.0,
         };
         share * self.body.radius
@@ -82,16 +78,14 @@ impl<'a> Extremes<'a> {
     pub(super) fn farthest(&self, direction: DVec3, care: Care) -> (u32, DVec3) {
         let direction = self.turn.transpose() * direction;
         let vertex = match (&self.vertices, care) {
-            (Vertices::Few(_, lanes), Care::Coarse | Care::Close)
-            | (Vertices::Some(_, lanes), Care::Close) => Lanes::farthest(lanes, direction),
-            (Vertices::Some(polytope, _) | Vertices::Many(polytope), Care::Coarse) => {
-                polytope.support_by_table(direction)
+            (Vertices::Few(_, lanes), Care::Coarse | Care::Close) => {
+                Lanes::farthest(lanes, direction)
             }
+            (Vertices::Many(polytope), Care::Coarse) => polytope.support_by_table(direction),
             (Vertices::Many(polytope), Care::Close) => polytope.support_by_ring(direction),
-            (
-                Vertices::Few(polytope, _) | Vertices::Some(polytope, _) | Vertices::Many(polytope),
-                Care::Closest,
-            ) => polytope.support(direction),
+            (Vertices::Few(polytope, _) | Vertices::Many(polytope), Care::Closest) => {
+                polytope.support(direction)
+            }
             (Vertices::Plain, _) => self.body.support_local(direction),
         };
         (vertex, self.turn * self.body.local(vertex))
