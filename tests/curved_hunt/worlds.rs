@@ -1,0 +1,1 @@
+//! The same pairs in worlds, in frames of any length.
