@@ -37,8 +37,9 @@ impl<'a> Placed<'a> {
             let normal = (b - a).cross(c - a).normalize();
             let height = normal.dot(point - a);
             inside = inside.max(height);
-            // Of a closed surface only what can be seen from the point is nearest.
-            if !self.solid.is_flat() && height <= 0.0 || height.abs() >= best.0 {
+            // Of a closed surface only what can be seen from the point is nearest, but for rounding.
+            let unseen = !self.solid.is_flat() && height < -1e-9 * self.size();
+            if unseen || height.abs() >= best.0 {
                 continue;
             }
             let foot = on_triangle(point, [a, b, c], normal);
