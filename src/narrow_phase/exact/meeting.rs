@@ -20,7 +20,7 @@ pub(super) struct Meeting {
 /// Share of the pair's size that a touch may be away along the motion.
 const NEAR: f64 = 1e-6;
 
-/// Share of the pair's size that the point of touch may be off because bodies turn in the last bit of the way.
+/// Share of the pair's size that the point of touch may be off because bodies turn or slide in the last bit of the way.
 const BESIDE: f64 = 1e-11;
 
 /// The touch of two bodies that are nearer than `touch` metres at `time`; `normal` is that of the
@@ -74,11 +74,11 @@ pub(super) fn meet(
     if !late {
         later = 0.0;
     }
-    // Who turns meanwhile touches a little beside: once more from where they stand by then. Far from
-    // the origin, where `touch` is wide, this matters.
+    // Who turns or slides on meanwhile touches a little beside: once more from where they stand by
+    // then. Far from the origin, where `touch` is wide, this matters.
     let turning = |side: &Side<'_>| side.arm * side.spin.length();
     let turning = turning(&window.a) + turning(&window.b) + window.turning;
-    if later * turning > BESIDE * reach {
+    if later * (speed + turning) > BESIDE * reach {
         let [by_a, by_b] = [a, b].map(|flight| flight.at((time + later).min(1.0)).pose);
         if let Some(found) = cast(shape_a, &by_a, shape_b, &by_b, velocity) {
             let near = found.fraction.abs() * speed <= NEAR * reach;
