@@ -66,25 +66,3 @@ fn random_pairs_meet_when_the_oracle_says() {
     assert!(share(count.unknown) < 0.02, "{count:?}");
     assert!(share(count.undecided) < 0.02, "{count:?}");
 }
-
-#[test]
-fn tell() {
-    let seed = number("TELL", 2997);
-    let pair = Pair::new(Draw::new(seed));
-    eprintln!("{:#?}\nbase {} horizon {} size {}", pair.draw.plans, pair.draw.base, pair.horizon, pair.size);
-    let [a, b] = &pair.bodies;
-    let found = feeler::first_contact(a, b, pair.horizon, &feeler::Method::Exact).unwrap().unwrap();
-    let time = found.fraction * pair.horizon;
-    for (body, actor) in pair.bodies.iter().zip(&pair.actors) {
-        let (pose, stand) = (body.pose_after(time), actor.course.at(time));
-        eprintln!("{} {} {}", pose.position, pair.draw.base + stand.at, pose.position - pair.draw.base - stand.at);
-        eprintln!("{}", glam::DMat3::from_quat(pose.orientation) - stand.turned);
-        let placed = actor.placed(time);
-        eprintln!("{}", placed.height(found.point - pair.draw.base));
-    }
-    let c = feeler::closest_points(a.shape(), &a.pose_after(time), b.shape(), &b.pose_after(time));
-    eprintln!("{found:?} {c:?} {:?}", feeler::overlap(a.shape(), &a.pose_after(time), b.shape(), &b.pose_after(time)));
-    let [x, y] = pair.actors.each_ref().map(|actor| actor.placed(time));
-    let (d, n) = crate::gap::apart(&x, &y);
-    eprintln!("{d} {n}");
-}
