@@ -62,10 +62,6 @@ impl Stand {
     pub(crate) fn point(&self, local: DVec3) -> DVec3 {
         self.at + self.turned * local
     }
-
-    pub(crate) fn local(&self, point: DVec3) -> DVec3 {
-        self.turned.transpose() * (point - self.at)
-    }
 }
 
 /// `r` turned about a unit vector `d`: the thesis, B.1 to B.4.

@@ -18,6 +18,7 @@ pub(crate) fn seeds(otherwise: u64) -> std::ops::Range<u64> {
 struct Count {
     hits: u64,
     slow: u64,
+    jumps: u64,
     misses: u64,
     grazes: u64,
     overlaps: u64,
@@ -50,11 +51,17 @@ fn random_pairs_meet_when_the_oracle_says() {
                 count.worst_late = count.worst_late.max(late.abs());
                 count.worst_gap = count.worst_gap.max(gap);
             }
-            Verdict::SlowHit { .. } => count.slow += 1,
+            Verdict::SlowHit => count.slow += 1,
+            Verdict::Jump => count.jumps += 1,
             Verdict::Miss => count.misses += 1,
             Verdict::Graze => count.grazes += 1,
             Verdict::Overlap => count.overlaps += 1,
-            Verdict::Undecided => count.undecided += 1,
+            Verdict::Undecided { near, .. } => {
+                count.undecided += 1;
+                if near > 1e-6 {
+                    wrong.push(format!("{seed}: given up, {near} of their size apart"));
+                }
+            }
             Verdict::Unknown => count.unknown += 1,
             Verdict::Wrong(what) => wrong.push(format!("{seed}: {what}")),
         }

@@ -16,6 +16,7 @@
 
 mod course;
 mod draw;
+mod found;
 mod gap;
 mod hunt;
 mod look;

@@ -4,7 +4,7 @@ use crate::course::{Course, Pace, Turning, Way, axes};
 use crate::look::Actor;
 use crate::route::{Route, catmull_rom, hermite, through};
 use crate::solid::Solid;
-use feeler::{AtEnd, Body, Cuboid, Knots, Motion, Path, Polytope, Shape, Sphere, Triangle};
+use feeler::{Body, Cuboid, Knots, Motion, Path, Polytope, Shape, Sphere, Triangle};
 use glam::{DQuat, DVec3};
 
 #[derive(Clone, Debug)]
@@ -138,9 +138,5 @@ impl Plan {
     pub(crate) fn is_plain(&self) -> bool {
         let straight = matches!(self.trip, Trip::Still(_) | Trip::Free(..) | Trip::Line(_));
         straight && matches!(self.turning, Turning::Not)
-    }
-
-    pub(crate) fn rests(&self) -> bool {
-        self.pace.at_end == AtEnd::Rest
     }
 }

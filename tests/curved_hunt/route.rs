@@ -54,10 +54,6 @@ impl Route {
         self.ends[self.ends.len() - 1]
     }
 
-    pub(crate) fn cubics(&self) -> &[Cubic] {
-        &self.cubics
-    }
-
     /// Point and unit tangent.
     pub(crate) fn at(&self, distance: f64) -> (DVec3, DVec3) {
         let distance = distance.clamp(0.0, self.length());

@@ -3,6 +3,7 @@
 use crate::draw::Draw;
 use crate::look::{Actor, Look, above};
 use crate::gap::{apart, gap};
+use feeler::tolerance::TOUCH;
 use feeler::{Body, ContactKind, FirstContactError, Method, PairContact, first_contact};
 
 /// How a case came out.
@@ -11,13 +12,16 @@ pub(crate) enum Verdict {
     /// The same touch; share of the horizon between both times, of the pair's size between the bodies.
     Hit { late: f64, gap: f64 },
     /// The same touch, where they come together so slowly that times differ.
-    SlowHit { late: f64, gap: f64 },
+    SlowHit,
+    /// The same touch, in which one turns at once into the other.
+    Jump,
     Miss,
     /// One saw a touch of less than the oracle resolves, and the other did not.
     Graze,
     Overlap,
-    /// It said up to when they are apart, and so they are.
-    Undecided,
+    /// It said up to when they are apart, and so they are. How far then, as a share of the pair's size,
+    /// and whether they meet later.
+    Undecided { near: f64, meet: bool },
     /// The oracle cannot tell.
     Unknown,
     Wrong(String),
@@ -36,6 +40,8 @@ pub(crate) struct Pair {
     pub(crate) size: f64,
     /// Metres of rounding in the coordinates and angles given.
     pub(crate) rounding: f64,
+    /// Metres that count as touching, as [`feeler::tolerance::TOUCH`] has it.
+    touch: f64,
     pub(crate) draw: Draw,
 }
 
@@ -55,6 +61,7 @@ impl Pair {
             horizon: draw.horizon,
             size: draw.size,
             rounding,
+            touch: TOUCH * (draw.size + coordinate),
             draw,
         }
     }
@@ -104,17 +111,21 @@ impl Pair {
                     }
                 }
             },
-            Err(FirstContactError::Undecided { clear_until }) => match look.touch {
-                Some(touch) if touch < clear_until * self.horizon => {
-                    let depth = self.lowest(touch, clear_until * self.horizon);
-                    if depth < -graze {
-                        Verdict::Wrong(format!("not clear until {clear_until}, {depth:e} at {touch}"))
-                    } else {
-                        Verdict::Undecided
-                    }
+            Err(FirstContactError::Undecided { clear_until }) => {
+                let until = clear_until * self.horizon;
+                let depth = match look.touch {
+                    Some(touch) if touch < until => self.lowest(touch, until),
+                    _ => 0.0,
+                };
+                if depth < -graze {
+                    return Verdict::Wrong(format!("not clear until {clear_until}, {depth:e} deep"));
                 }
-                _ => Verdict::Undecided,
-            },
+                let [a, b] = self.actors.each_ref().map(|actor| actor.placed(until));
+                Verdict::Undecided {
+                    near: apart(&a, &b).0 / self.size,
+                    meet: look.touch.is_some(),
+                }
+            }
             Err(other) => Verdict::Wrong(format!("{other}")),
         }
     }
@@ -134,6 +145,12 @@ impl Pair {
         }
     }
 
+    /// Whether a body that faces its way comes to a corner then, and turns into the other.
+    fn jumps(&self, time: f64) -> bool {
+        let faces = self.actors.iter().any(|actor| actor.course.rate().is_none());
+        faces && self.above(time - 1e-9 * self.horizon) > 0.0
+    }
+
     fn touch(&self, found: &PairContact, look: &Look) -> Verdict {
         let slack = 1e-9 * self.size + self.rounding;
         let time = found.fraction * self.horizon;
@@ -143,8 +160,13 @@ impl Pair {
         if !matches!(found.kind, ContactKind::Touch) || !(0.0..=1.0).contains(&found.fraction) {
             return wrong("no touch");
         }
-        if now > slack {
+        if now > slack + self.touch {
             return wrong("ghost");
+        }
+        let slack = slack + now.max(0.0);
+        if now < -10.0 * slack && self.jumps(time) {
+            let late = look.touch.map_or(f64::MAX, |touch| time - touch) / self.horizon;
+            return if late.abs() <= LATE { Verdict::Jump } else { wrong("jump") };
         }
         // Both bodies have the point, and lie on their sides of it.
         let [on_a, on_b] = here.each_ref().map(|body| body.height(found.point - self.draw.base));
@@ -177,7 +199,7 @@ impl Pair {
         let (from, to) = if late > 0.0 { (touch, time) } else { (time, touch) };
         let far = [0.25, 0.5, 0.75].map(|share| self.above(from + share * (to - from)).abs());
         if far.into_iter().all(|far| far <= slack) {
-            Verdict::SlowHit { late, gap }
+            Verdict::SlowHit
         } else {
             Verdict::Graze
         }
