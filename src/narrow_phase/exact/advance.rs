@@ -370,6 +370,8 @@ impl<'a> Search<'_, 'a> {
             return Some(Encounter::Apart);
         }
         self.sliding = true;
+        // Such a step takes three times as long as others.
+        self.allowance = self.allowance.saturating_sub(2);
         let turn = of_features(window, self.separator.nearest_vertices(), touching.normal);
         let plane = Plane {
             normal: touching.normal,
