@@ -13,7 +13,12 @@ use std::hint::black_box;
 const NANOMETRE: f64 = 1e-9;
 
 fn winding(y: f64) -> Motion {
-    let points = [[0.0, y, 0.0], [3.0, y + 2.0, 1.0], [6.0, y, 3.0], [9.0, y - 5.0, 0.0]];
+    let points = [
+        [0.0, y, 0.0],
+        [3.0, y + 2.0, 1.0],
+        [6.0, y, 3.0],
+        [9.0, y - 5.0, 0.0],
+    ];
     let path = Path::catmull_rom(points, Knots::Uniform).unwrap();
     Motion::along(path, 1.0).unwrap()
 }
@@ -44,17 +49,57 @@ fn pairs(criterion: &mut Criterion) {
     let facing = |motion: Motion| motion.facing(nose).unwrap();
     let mut group = criterion.benchmark_group("exact_sliding");
     for (name, a, b) in [
-        ("ordinary: box on a curve, box", body(cube.into(), winding(0.0)), ahead()),
-        ("ordinary: box spinning on a curve, box", body(cube.into(), spun(winding(0.0))), ahead()),
-        ("ordinary: box facing along a curve, box", body(cube.into(), facing(winding(0.0))), ahead()),
-        ("balls side by side", body(ball.into(), winding(0.0)), body(ball.into(), winding(1.0 + NANOMETRE))),
-        ("balls in touch side by side", body(ball.into(), winding(0.0)), body(ball.into(), winding(1.0))),
-        ("box over a floor", body(cube.into(), circling(NANOMETRE)), floor()),
+        (
+            "ordinary: box on a curve, box",
+            body(cube.into(), winding(0.0)),
+            ahead(),
+        ),
+        (
+            "ordinary: box spinning on a curve, box",
+            body(cube.into(), spun(winding(0.0))),
+            ahead(),
+        ),
+        (
+            "ordinary: box facing along a curve, box",
+            body(cube.into(), facing(winding(0.0))),
+            ahead(),
+        ),
+        (
+            "balls side by side",
+            body(ball.into(), winding(0.0)),
+            body(ball.into(), winding(1.0 + NANOMETRE)),
+        ),
+        (
+            "balls in touch side by side",
+            body(ball.into(), winding(0.0)),
+            body(ball.into(), winding(1.0)),
+        ),
+        (
+            "box over a floor",
+            body(cube.into(), circling(NANOMETRE)),
+            floor(),
+        ),
         ("box on a floor", body(cube.into(), circling(0.0)), floor()),
-        ("box turning over a floor", body(cube.into(), spun(circling(NANOMETRE))), floor()),
-        ("box turning on a floor", body(cube.into(), spun(circling(0.0))), floor()),
-        ("box facing its way over a floor", body(cube.into(), facing(circling(NANOMETRE))), floor()),
-        ("box facing its way on a floor", body(cube.into(), facing(circling(0.0))), floor()),
+        (
+            "box turning over a floor",
+            body(cube.into(), spun(circling(NANOMETRE))),
+            floor(),
+        ),
+        (
+            "box turning on a floor",
+            body(cube.into(), spun(circling(0.0))),
+            floor(),
+        ),
+        (
+            "box facing its way over a floor",
+            body(cube.into(), facing(circling(NANOMETRE))),
+            floor(),
+        ),
+        (
+            "box facing its way on a floor",
+            body(cube.into(), facing(circling(0.0))),
+            floor(),
+        ),
     ] {
         group.bench_function(name, |bencher| {
             bencher.iter(|| first_contact(black_box(&a), black_box(&b), 10.0, &Method::Exact));

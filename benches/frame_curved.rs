@@ -78,10 +78,13 @@ fn frames(criterion: &mut Criterion) {
         ] {
             for count in [1_000, 10_000] {
                 let mut world = None;
-                group.bench_function(BenchmarkId::new(format!("{name} {how}"), count), |bencher| {
-                    let world = world.get_or_insert_with(|| crowd(way, boxes, count));
-                    bencher.iter(|| black_box(world.step(DT).unwrap().len()));
-                });
+                group.bench_function(
+                    BenchmarkId::new(format!("{name} {how}"), count),
+                    |bencher| {
+                        let world = world.get_or_insert_with(|| crowd(way, boxes, count));
+                        bencher.iter(|| black_box(world.step(DT).unwrap().len()));
+                    },
+                );
             }
         }
     }

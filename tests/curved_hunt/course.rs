@@ -38,7 +38,11 @@ impl Pace {
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Turning {
     Not,
-    Spin { point: DVec3, axis: DVec3, rate: f64 },
+    Spin {
+        point: DVec3,
+        axis: DVec3,
+        rate: f64,
+    },
     Facing(Facing),
 }
 
@@ -101,16 +105,28 @@ impl Course {
     pub(crate) fn at(&self, time: f64) -> Stand {
         let (carried, tangent) = self.carried(time);
         match &self.turning {
-            Turning::Not => Stand { at: carried, turned: self.turned, hub: carried },
+            Turning::Not => Stand {
+                at: carried,
+                turned: self.turned,
+                hub: carried,
+            },
             Turning::Spin { point, axis, rate } => {
                 let turned = axes(*axis, rate * time) * self.turned;
                 let hub = carried + self.turned * *point;
-                Stand { at: hub - turned * *point, turned, hub }
+                Stand {
+                    at: hub - turned * *point,
+                    turned,
+                    hub,
+                }
             }
             Turning::Facing(facing) => {
                 let own = frame(facing.forward.normalize(), facing.up.normalize());
                 let turned = frame(tangent, facing.world_up.normalize()) * own.transpose();
-                Stand { at: carried, turned, hub: carried }
+                Stand {
+                    at: carried,
+                    turned,
+                    hub: carried,
+                }
             }
         }
     }

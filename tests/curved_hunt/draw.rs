@@ -38,7 +38,11 @@ fn form(random: &mut Random, size: f64) -> Form {
         _ => {
             let axes = [DVec3::ONE, DVec3::new(1.0, 0.6, 0.1)][random.below(2) as usize];
             let count = 4 + random.below(17);
-            Form::Hull((0..count).map(|_| size * axes * random.direction()).collect())
+            Form::Hull(
+                (0..count)
+                    .map(|_| size * axes * random.direction())
+                    .collect(),
+            )
         }
     }
 }
@@ -114,15 +118,27 @@ fn turning(random: &mut Random, trip: &Trip, size: f64, horizon: f64) -> Turning
     } / horizon;
     let rate = if random.one_in(2) { rate } else { -rate };
     match random.below(6) {
-        0 | 1 => Turning::Spin { point: DVec3::ZERO, axis: random.direction(), rate },
-        2 => Turning::Spin { point: 0.7 * size * random.vector(), axis: random.direction(), rate },
+        0 | 1 => Turning::Spin {
+            point: DVec3::ZERO,
+            axis: random.direction(),
+            rate,
+        },
+        2 => Turning::Spin {
+            point: 0.7 * size * random.vector(),
+            axis: random.direction(),
+            rate,
+        },
         3 if on_path => {
             let forward = random.direction();
             let up = random.direction();
             if forward.cross(up).length() < 0.1 {
                 return Turning::Not;
             }
-            Turning::Facing(Facing { forward, up, world_up: random.direction() })
+            Turning::Facing(Facing {
+                forward,
+                up,
+                world_up: random.direction(),
+            })
         }
         _ => Turning::Not,
     }
@@ -134,11 +150,20 @@ fn plan(random: &mut Random, place: &Place, size: f64, horizon: f64) -> Plan {
         form: form(random, size),
         turning: turning(random, &trip, size, horizon),
         trip,
-        pace: Pace { speed: 1.0, at_end: AtEnd::Rest, offset: 0.0, wait: 0.0 },
+        pace: Pace {
+            speed: 1.0,
+            at_end: AtEnd::Rest,
+            offset: 0.0,
+            wait: 0.0,
+        },
         oriented: (random.direction(), random.within(0.0, 6.0)),
     };
     if let Some(path) = plan.path() {
-        let laps = if random.one_in(8) { random.decades(0.0, 1.5) } else { random.decades(-0.3, 0.3) };
+        let laps = if random.one_in(8) {
+            random.decades(0.0, 1.5)
+        } else {
+            random.decades(-0.3, 0.3)
+        };
         plan.pace.speed = laps * path.length() / horizon;
         let closed = path.start() == path.end();
         plan.pace.at_end = match random.below(3) {
@@ -172,8 +197,18 @@ impl Draw {
         });
         let plans = [(1.0, sizes[0]), (-1.0, sizes[1])]
             .map(|(side, size)| plan(random, &Place { far, scale, side }, size, horizon));
-        let size = plans.each_ref().map(|plan| plan.shape().max_dist()).iter().sum();
-        let mut draw = Self { plans, base: far, horizon, size, grazing: false };
+        let size = plans
+            .each_ref()
+            .map(|plan| plan.shape().max_dist())
+            .iter()
+            .sum();
+        let mut draw = Self {
+            plans,
+            base: far,
+            horizon,
+            size,
+            grazing: false,
+        };
         if random.one_in(6) {
             draw.grazing = draw.graze(random);
         }

@@ -3,7 +3,11 @@
 use feeler::{Body, Cuboid, Facing, Method, Motion, Path, Sphere, first_contact};
 use glam::DVec3;
 
-const NOSE_FIRST: Facing = Facing { forward: DVec3::X, up: DVec3::Z, world_up: DVec3::Z };
+const NOSE_FIRST: Facing = Facing {
+    forward: DVec3::X,
+    up: DVec3::Z,
+    world_up: DVec3::Z,
+};
 
 /// Beside another body, but not in touch: the search stood still there and was given up.
 #[test]
@@ -29,10 +33,19 @@ fn who_faces_its_way_and_turns_round_is_not_given_up() {
 #[test]
 fn who_faces_its_way_and_turns_at_once_is_not_given_up() {
     let square = [
-        [0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0], [3.0, 0.0, 0.0],
-        [3.0, 1.0, 0.0], [3.0, 2.0, 0.0], [3.0, 3.0, 0.0],
-        [2.0, 3.0, 0.0], [1.0, 3.0, 0.0], [0.0, 3.0, 0.0],
-        [0.0, 2.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 0.0],
+        [0.0, 0.0, 0.0],
+        [1.0, 0.0, 0.0],
+        [2.0, 0.0, 0.0],
+        [3.0, 0.0, 0.0],
+        [3.0, 1.0, 0.0],
+        [3.0, 2.0, 0.0],
+        [3.0, 3.0, 0.0],
+        [2.0, 3.0, 0.0],
+        [1.0, 3.0, 0.0],
+        [0.0, 3.0, 0.0],
+        [0.0, 2.0, 0.0],
+        [0.0, 1.0, 0.0],
+        [0.0, 0.0, 0.0],
     ];
     let motion = Motion::along(Path::bezier(square).unwrap(), 3.0)
         .and_then(Motion::looping)

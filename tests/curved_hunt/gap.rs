@@ -13,12 +13,23 @@ pub(crate) struct Placed<'a> {
 
 impl<'a> Placed<'a> {
     pub(crate) fn new(solid: &'a Solid, stand: Stand) -> Self {
-        let corners = solid.corners.iter().map(|corner| stand.point(*corner)).collect();
-        Self { solid, stand, corners }
+        let corners = solid
+            .corners
+            .iter()
+            .map(|corner| stand.point(*corner))
+            .collect();
+        Self {
+            solid,
+            stand,
+            corners,
+        }
     }
 
     fn low(&self, axis: DVec3) -> f64 {
-        self.corners.iter().map(|corner| corner.dot(axis)).fold(f64::MAX, f64::min)
+        self.corners
+            .iter()
+            .map(|corner| corner.dot(axis))
+            .fold(f64::MAX, f64::min)
     }
 
     fn triangle(&self, triangle: [usize; 3]) -> [DVec3; 3] {
@@ -121,7 +132,12 @@ pub(crate) fn widest(a: &Placed<'_>, b: &Placed<'_>) -> (f64, DVec3) {
     }
     let directions = |solid: &Placed<'_>| -> Vec<DVec3> {
         let turned = solid.stand.turned;
-        solid.solid.directions.iter().map(|along| turned * *along).collect()
+        solid
+            .solid
+            .directions
+            .iter()
+            .map(|along| turned * *along)
+            .collect()
     };
     let (of_a, of_b) = (directions(a), directions(b));
     for along in &of_a {
@@ -139,11 +155,18 @@ pub(crate) fn widest(a: &Placed<'_>, b: &Placed<'_>) -> (f64, DVec3) {
 /// less if they touch or overlap.
 pub(crate) fn apart(a: &Placed<'_>, b: &Placed<'_>) -> (f64, DVec3) {
     if a.solid.is_ball() || b.solid.is_ball() {
-        let (ball, other, sign) = if a.solid.is_ball() { (a, b, 1.0) } else { (b, a, -1.0) };
+        let (ball, other, sign) = if a.solid.is_ball() {
+            (a, b, 1.0)
+        } else {
+            (b, a, -1.0)
+        };
         let centre = ball.corners[0];
         let (distance, foot) = other.nearest(centre);
         let normal = (centre - foot).normalize_or(DVec3::X);
-        return (distance - ball.solid.radius - other.solid.radius, sign * normal);
+        return (
+            distance - ball.solid.radius - other.solid.radius,
+            sign * normal,
+        );
     }
     let mut least = f64::MAX;
     let mut way = DVec3::ZERO;

@@ -1,6 +1,7 @@
 //! The hunt.
 
 use crate::draw::Draw;
+use crate::plan::Plan;
 use crate::verdict::{Pair, Verdict};
 
 fn number(name: &str, otherwise: u64) -> u64 {
@@ -37,7 +38,7 @@ fn random_pairs_meet_when_the_oracle_says() {
     let all = seeds.end - seeds.start;
     for seed in seeds {
         let pair = Pair::new(Draw::new(seed));
-        if pair.draw.plans.iter().all(|plan| plan.is_plain()) {
+        if pair.draw.plans.iter().all(Plan::is_plain) {
             continue;
         }
         count.planted += u64::from(pair.draw.grazing);
@@ -59,7 +60,10 @@ fn random_pairs_meet_when_the_oracle_says() {
             Verdict::Undecided { near, .. } => {
                 count.undecided += 1;
                 // Of how bodies turn that face their way less is known, and the search is longer.
-                let faces = pair.actors.iter().any(|actor| actor.course.rate().is_none());
+                let faces = pair
+                    .actors
+                    .iter()
+                    .any(|actor| actor.course.rate().is_none());
                 if near > if faces { 1e-2 } else { 1e-6 } {
                     wrong.push(format!("{seed}: given up, {near} of their size apart"));
                 }
@@ -69,9 +73,17 @@ fn random_pairs_meet_when_the_oracle_says() {
         }
     }
     eprintln!("{count:?}");
-    assert!(wrong.is_empty(), "{} wrong\n{}\n{count:?}", wrong.len(), wrong.join("\n"));
+    assert!(
+        wrong.is_empty(),
+        "{} wrong\n{}\n{count:?}",
+        wrong.len(),
+        wrong.join("\n")
+    );
     let share = |part: u64| part as f64 / all as f64;
-    assert!(share(count.hits) > 0.2 && share(count.misses) > 0.1, "lopsided: {count:?}");
+    assert!(
+        share(count.hits) > 0.2 && share(count.misses) > 0.1,
+        "lopsided: {count:?}"
+    );
     assert!(share(count.unknown) < 0.02, "{count:?}");
     assert!(share(count.undecided) < 0.02, "{count:?}");
 }

@@ -57,7 +57,11 @@ struct Eye<'a> {
 impl Eye<'_> {
     fn sample(&self, time: f64) -> Sample {
         let stands = self.actors.map(|actor| actor.course.at(time));
-        Sample { time, stands, apart: None }
+        Sample {
+            time,
+            stands,
+            apart: None,
+        }
     }
 
     /// A lower bound of the distance, exact if it is not `enough`.
@@ -109,7 +113,12 @@ impl Look {
             arms: [a.arm(), b.arm()],
             speed: a.course.speed() + b.course.speed(),
             hint: DVec3::X,
-            look: Self { touch: None, least: (f64::MAX, 0.0, DVec3::X), resolved: true, looks: 0 },
+            look: Self {
+                touch: None,
+                least: (f64::MAX, 0.0, DVec3::X),
+                resolved: true,
+                looks: 0,
+            },
         };
         let (mut start, end) = (eye.sample(0.0), eye.sample(horizon));
         if eye.measure(&mut start, f64::MAX) <= 0.0 {

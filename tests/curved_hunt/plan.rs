@@ -68,7 +68,12 @@ impl Plan {
             Trip::Still(at) => Motion::fixed(*at),
             Trip::Free(from, velocity) => Motion::free(*from, *velocity),
             _ => {
-                let Pace { speed, at_end, offset, wait } = self.pace;
+                let Pace {
+                    speed,
+                    at_end,
+                    offset,
+                    wait,
+                } = self.pace;
                 Motion::along(self.path().unwrap(), speed)
                     .and_then(|motion| motion.at_end(at_end))
                     .and_then(|motion| motion.starting_at(offset))
@@ -89,11 +94,24 @@ impl Plan {
     pub(crate) fn actor(&self, base: DVec3) -> Actor {
         let seen = |points: &[DVec3]| -> Vec<DVec3> { points.iter().map(|p| *p - base).collect() };
         let pace = self.pace;
-        let along = |cubics| Way::Curve { route: Route::new(cubics), pace };
+        let along = |cubics| Way::Curve {
+            route: Route::new(cubics),
+            pace,
+        };
         let way = match &self.trip {
-            Trip::Still(at) => Way::Free { from: *at - base, velocity: DVec3::ZERO },
-            Trip::Free(from, velocity) => Way::Free { from: *from - base, velocity: *velocity },
-            Trip::Line([from, to]) => Way::Line { from: *from - base, to: *to - base, pace },
+            Trip::Still(at) => Way::Free {
+                from: *at - base,
+                velocity: DVec3::ZERO,
+            },
+            Trip::Free(from, velocity) => Way::Free {
+                from: *from - base,
+                velocity: *velocity,
+            },
+            Trip::Line([from, to]) => Way::Line {
+                from: *from - base,
+                to: *to - base,
+                pace,
+            },
             Trip::Bezier(points) => {
                 let points = seen(points);
                 let cubic = |i: usize| [points[i], points[i + 1], points[i + 2], points[i + 3]];
@@ -116,7 +134,11 @@ impl Plan {
             Form::Hull(points) => Solid::hull(points.clone()),
         };
         let (axis, angle) = self.oriented;
-        let course = Course { way, turning: self.turning, turned: axes(axis, angle) };
+        let course = Course {
+            way,
+            turning: self.turning,
+            turned: axes(axis, angle),
+        };
         Actor { solid, course }
     }
 

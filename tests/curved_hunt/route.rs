@@ -60,7 +60,11 @@ impl Route {
         let panel = self.ends.partition_point(|&end| end <= distance);
         let panel = panel.min(self.ends.len() - 1);
         let cubic = &self.cubics[panel / PANELS];
-        let start = if panel == 0 { 0.0 } else { self.ends[panel - 1] };
+        let start = if panel == 0 {
+            0.0
+        } else {
+            self.ends[panel - 1]
+        };
         let from = (panel % PANELS) as f64 / PANELS as f64;
         let u = invert(cubic, from, distance - start, self.ends[panel] - start);
         let mut tangent = derivative(cubic, u);
@@ -101,7 +105,8 @@ fn invert(cubic: &Cubic, from: f64, rest: f64, whole: f64) -> f64 {
 /// Arc length between two parameters.
 pub(crate) fn length(cubic: &Cubic, from: f64, to: f64) -> f64 {
     let speed = |u: f64| derivative(cubic, u).length();
-    let size = cubic[0].distance(cubic[1]) + cubic[1].distance(cubic[2]) + cubic[2].distance(cubic[3]);
+    let size =
+        cubic[0].distance(cubic[1]) + cubic[1].distance(cubic[2]) + cubic[2].distance(cubic[3]);
     let (left, middle, right) = (speed(from), speed(0.5 * (from + to)), speed(to));
     simpson(&speed, [from, to], [left, middle, right], 1e-17 * size, 40)
 }
@@ -123,8 +128,19 @@ fn simpson(
     if off.abs() <= tolerance + 1e-16 * halves.abs() || depth == 0 {
         return halves + off;
     }
-    simpson(speed, [from, half], [left, first, middle], tolerance, depth - 1)
-        + simpson(speed, [half, to], [middle, third, right], tolerance, depth - 1)
+    simpson(
+        speed,
+        [from, half],
+        [left, first, middle],
+        tolerance,
+        depth - 1,
+    ) + simpson(
+        speed,
+        [half, to],
+        [middle, third, right],
+        tolerance,
+        depth - 1,
+    )
 }
 
 /// From points and derivatives.
@@ -149,16 +165,26 @@ pub(crate) fn catmull_rom(points: &[DVec3], power: f64) -> Vec<Cubic> {
     let last = points.len() - 1;
     let closed = last > 1 && points[0] == points[last];
     let mut all = Vec::with_capacity(points.len() + 2);
-    all.push(if closed { points[last - 1] } else { 2.0 * points[0] - points[1] });
+    all.push(if closed {
+        points[last - 1]
+    } else {
+        2.0 * points[0] - points[1]
+    });
     all.extend_from_slice(points);
-    all.push(if closed { points[1] } else { 2.0 * points[last] - points[last - 1] });
+    all.push(if closed {
+        points[1]
+    } else {
+        2.0 * points[last] - points[last - 1]
+    });
     let pyramid = |p: &[DVec3], share: f64| {
         let mut t = [0.0; 4];
         for index in 1..4 {
             t[index] = t[index - 1] + p[index - 1].distance(p[index]).powf(power);
         }
         let at = t[1] + share * (t[2] - t[1]);
-        let mix = |p: DVec3, q: DVec3, from: f64, to: f64| ((to - at) * p + (at - from) * q) / (to - from);
+        let mix = |p: DVec3, q: DVec3, from: f64, to: f64| {
+            ((to - at) * p + (at - from) * q) / (to - from)
+        };
         let a = [0, 1, 2].map(|i| mix(p[i], p[i + 1], t[i], t[i + 1]));
         let b = [0, 1].map(|i| mix(a[i], a[i + 1], t[i], t[i + 2]));
         mix(b[0], b[1], t[1], t[2])

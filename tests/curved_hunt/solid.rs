@@ -66,10 +66,20 @@ impl Solid {
             .collect();
         if let ([normal], [..]) = (&normals[..], &directions[..]) {
             // Seen edge on, a triangle has an outline.
-            let aside: Vec<DVec3> = directions.iter().map(|along| along.cross(*normal)).collect();
+            let aside: Vec<DVec3> = directions
+                .iter()
+                .map(|along| along.cross(*normal))
+                .collect();
             normals.extend(aside);
         }
-        Self { corners, radius: 0.0, triangles, edges, normals, directions }
+        Self {
+            corners,
+            radius: 0.0,
+            triangles,
+            edges,
+            normals,
+            directions,
+        }
     }
 
     pub(crate) fn cuboid(half: DVec3) -> Self {

@@ -1,8 +1,9 @@
 //! What the crate says against what the oracle saw.
 
 use crate::draw::Draw;
-use crate::look::{Actor, Look, above};
 use crate::gap::{apart, gap};
+use crate::look::{Actor, Look, above};
+use crate::plan::Plan;
 use feeler::tolerance::TOUCH;
 use feeler::{Body, ContactKind, FirstContactError, Method, PairContact, first_contact};
 
@@ -10,7 +11,10 @@ use feeler::{Body, ContactKind, FirstContactError, Method, PairContact, first_co
 #[derive(Debug)]
 pub(crate) enum Verdict {
     /// The same touch; share of the horizon between both times, of the pair's size between the bodies.
-    Hit { late: f64, gap: f64 },
+    Hit {
+        late: f64,
+        gap: f64,
+    },
     /// The same touch, where they come together so slowly that times differ.
     SlowHit,
     /// The same touch, in which one turns at once into the other.
@@ -19,9 +23,10 @@ pub(crate) enum Verdict {
     /// One saw a touch of less than the oracle resolves, and the other did not.
     Graze,
     Overlap,
-    /// It said up to when they are apart, and so they are. How far then, as a share of the pair's size,
-    /// and whether they meet later.
-    Undecided { near: f64, meet: bool },
+    /// It said up to when they are apart, and so they are. How far then, as a share of the pair's size.
+    Undecided {
+        near: f64,
+    },
     /// The oracle cannot tell.
     Unknown,
     Wrong(String),
@@ -47,12 +52,15 @@ pub(crate) struct Pair {
 
 impl Pair {
     pub(crate) fn new(draw: Draw) -> Self {
-        let bodies = draw.plans.each_ref().map(|plan| plan.body());
+        let bodies = draw.plans.each_ref().map(Plan::body);
         let actors = draw.plans.each_ref().map(|plan| plan.actor(draw.base));
         let turned: f64 = (actors.iter())
             .map(|actor| actor.course.rate().unwrap_or(0.0) * draw.horizon)
             .sum();
-        let ways: f64 = actors.iter().map(|actor| actor.course.speed() * draw.horizon).sum();
+        let ways: f64 = actors
+            .iter()
+            .map(|actor| actor.course.speed() * draw.horizon)
+            .sum();
         let coordinate = draw.base.length() + 4.0 * draw.size + ways;
         let rounding = 16.0 * f64::EPSILON * (coordinate + turned * draw.size);
         Self {
@@ -73,11 +81,18 @@ impl Pair {
     /// The least height between two times.
     fn lowest(&self, from: f64, to: f64) -> f64 {
         let share = |step: i32| from + f64::from(step) / 64.0 * (to - from);
-        (0..=64).map(|step| self.above(share(step))).fold(f64::MAX, f64::min)
+        (0..=64)
+            .map(|step| self.above(share(step)))
+            .fold(f64::MAX, f64::min)
     }
 
     pub(crate) fn look(&self) -> Look {
-        Look::at(&self.actors[0], &self.actors[1], self.horizon, 1e-7 * self.size)
+        Look::at(
+            &self.actors[0],
+            &self.actors[1],
+            self.horizon,
+            1e-7 * self.size,
+        )
     }
 
     pub(crate) fn verdict(&self) -> Verdict {
@@ -93,6 +108,11 @@ impl Pair {
                 Ok(Some(found)) => self.overlap(&found),
                 other => Verdict::Wrong(format!("overlaps by {start:e}, but {other:?}")),
             };
+        }
+        if let Ok(Some(found)) = &found
+            && let Some(off) = self.mirrored(found)
+        {
+            return Verdict::Wrong(format!("seen from the other side {off}"));
         }
         let look = self.look();
         let graze = GRAZE * self.size + self.rounding;
@@ -118,16 +138,31 @@ impl Pair {
                     _ => 0.0,
                 };
                 if depth < -graze {
-                    return Verdict::Wrong(format!("not clear until {clear_until}, {depth:e} deep"));
+                    return Verdict::Wrong(format!(
+                        "not clear until {clear_until}, {depth:e} deep"
+                    ));
                 }
                 let [a, b] = self.actors.each_ref().map(|actor| actor.placed(until));
                 Verdict::Undecided {
                     near: apart(&a, &b).0 / self.size,
-                    meet: look.touch.is_some(),
                 }
             }
             Err(other) => Verdict::Wrong(format!("{other}")),
         }
+    }
+
+    /// What is different if the bodies change places.
+    fn mirrored(&self, found: &PairContact) -> Option<String> {
+        let [a, b] = &self.bodies;
+        let Ok(Some(back)) = first_contact(b, a, self.horizon, &Method::Exact) else {
+            return Some("they do not meet".into());
+        };
+        let late = back.fraction - found.fraction;
+        let turned = (back.normal + found.normal).length();
+        let off = back.point.distance(found.point) / self.size;
+        let slack = 1e-9 + self.rounding / self.size;
+        (late.abs() > 1e-10 || turned.max(off) > 1e3 * slack)
+            .then(|| format!("{late:e} later, normal {turned:e}, point {off:e} off"))
     }
 
     /// Contact where they overlap from the beginning.
@@ -147,7 +182,10 @@ impl Pair {
 
     /// Whether a body that faces its way comes to a corner then, and turns into the other.
     fn jumps(&self, time: f64) -> bool {
-        let faces = self.actors.iter().any(|actor| actor.course.rate().is_none());
+        let faces = self
+            .actors
+            .iter()
+            .any(|actor| actor.course.rate().is_none());
         faces && self.above(time - 1e-9 * self.horizon) > 0.0
     }
 
@@ -156,7 +194,12 @@ impl Pair {
         let time = found.fraction * self.horizon;
         let here = self.actors.each_ref().map(|actor| actor.placed(time));
         let now = apart(&here[0], &here[1]).0;
-        let wrong = |what: &str| Verdict::Wrong(format!("{what}: {now:e} of {} apart at {time}, {found:?}, oracle {:?}", self.size, look.touch));
+        let wrong = |what: &str| {
+            Verdict::Wrong(format!(
+                "{what}: {now:e} of {} apart at {time}, {found:?}, oracle {:?}",
+                self.size, look.touch
+            ))
+        };
         if !matches!(found.kind, ContactKind::Touch) || !(0.0..=1.0).contains(&found.fraction) {
             return wrong("no touch");
         }
@@ -166,10 +209,16 @@ impl Pair {
         let slack = slack + now.max(0.0);
         if now < -10.0 * slack && self.jumps(time) {
             let late = look.touch.map_or(f64::MAX, |touch| time - touch) / self.horizon;
-            return if late.abs() <= LATE { Verdict::Jump } else { wrong("jump") };
+            return if late.abs() <= LATE {
+                Verdict::Jump
+            } else {
+                wrong("jump")
+            };
         }
         // Both bodies have the point, and lie on their sides of it.
-        let [on_a, on_b] = here.each_ref().map(|body| body.height(found.point - self.draw.base));
+        let [on_a, on_b] = here
+            .each_ref()
+            .map(|body| body.height(found.point - self.draw.base));
         if on_a.abs().max(on_b.abs()) > 10.0 * slack {
             return wrong(&format!("point off by {on_a:e} {on_b:e}"));
         }
@@ -183,7 +232,11 @@ impl Pair {
         let gap = now.abs() / self.size;
         let Some(touch) = look.touch else {
             // Less than the oracle sees.
-            return if look.resolved { Verdict::Graze } else { Verdict::Unknown };
+            return if look.resolved {
+                Verdict::Graze
+            } else {
+                Verdict::Unknown
+            };
         };
         let late = (time - touch) / self.horizon;
         if late.abs() <= LATE {
@@ -196,7 +249,11 @@ impl Pair {
             }
         }
         // Between both times they are as good as in touch, or grazed.
-        let (from, to) = if late > 0.0 { (touch, time) } else { (time, touch) };
+        let (from, to) = if late > 0.0 {
+            (touch, time)
+        } else {
+            (time, touch)
+        };
         let far = [0.25, 0.5, 0.75].map(|share| self.above(from + share * (to - from)).abs());
         if far.into_iter().all(|far| far <= slack) {
             Verdict::SlowHit

@@ -12,7 +12,11 @@ fn stepped(pair: &Pair, frames: u32) -> Result<Option<Contact>, f64> {
         world.insert(body.clone()).unwrap();
     }
     for frame in 0..frames {
-        let contact = world.step(pair.horizon / f64::from(frames)).unwrap().first().copied();
+        let contact = world
+            .step(pair.horizon / f64::from(frames))
+            .unwrap()
+            .first()
+            .copied();
         if world.stats().undecided > 0 {
             return Err(f64::from(frame) / f64::from(frames) * pair.horizon);
         }
@@ -41,7 +45,11 @@ fn frames_of_any_length_tell_the_same_first_contact() {
             open += 1;
             continue;
         };
-        if whole.is_some() { hits += 1 } else { misses += 1 }
+        if whole.is_some() {
+            hits += 1;
+        } else {
+            misses += 1;
+        }
         for frames in [1, 24, 1000] {
             let Ok(found) = stepped(&pair, frames) else {
                 open += 1;
@@ -53,7 +61,11 @@ fn frames_of_any_length_tell_the_same_first_contact() {
                     let late = found.time / pair.horizon - whole.fraction;
                     let off = found.point.distance(whole.point) / pair.size;
                     // Two fixed bodies never meet, and a moving one comes first.
-                    let sign = if pair.bodies[0].motion().is_fixed() { -1.0 } else { 1.0 };
+                    let sign = if pair.bodies[0].motion().is_fixed() {
+                        -1.0
+                    } else {
+                        1.0
+                    };
                     let turned = found.normal.distance(sign * whole.normal);
                     let near = 1e-6 + 10.0 * pair.rounding / pair.size;
                     if found.is_touch() && late.abs() <= 1e-9 && off < near && turned < near {
@@ -65,7 +77,10 @@ fn frames_of_any_length_tell_the_same_first_contact() {
                 (None, Some(found)) => format!("ghost at {}", found.time / pair.horizon),
             };
             // Who just grazes may do so or not.
-            let time = whole.map_or_else(|| found.map_or(0.0, |found| found.time), |whole| whole.fraction * pair.horizon);
+            let time = whole.map_or_else(
+                || found.map_or(0.0, |found| found.time),
+                |whole| whole.fraction * pair.horizon,
+            );
             let low = (-8..=8).map(|step| pair.above(time + f64::from(step) * 1e-5 * pair.horizon));
             if low.fold(f64::MAX, f64::min) < -1e-6 * pair.size {
                 wrong.push(format!("{seed} in {frames} frames: {told}"));

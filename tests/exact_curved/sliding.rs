@@ -37,7 +37,12 @@ fn ring(height: f64) -> Path {
 }
 
 fn winding(y: f64) -> Path {
-    let points = [[0.0, y, 0.0], [3.0, y + 2.0, 1.0], [6.0, y, 3.0], [9.0, y - 5.0, 0.0]];
+    let points = [
+        [0.0, y, 0.0],
+        [3.0, y + 2.0, 1.0],
+        [6.0, y, 3.0],
+        [9.0, y - 5.0, 0.0],
+    ];
     Path::catmull_rom(points, Knots::Uniform).unwrap()
 }
 
@@ -49,7 +54,8 @@ fn hull() -> Polytope {
     // A prism with a flat bottom at −0.5.
     let corner = |angle: f64, z: f64| DVec3::new(angle.cos(), angle.sin(), z);
     let corners = (0..7).map(|k| f64::from(k) * 0.9);
-    Polytope::from_points(corners.flat_map(|angle| [corner(angle, -0.5), corner(angle, 0.5)])).unwrap()
+    Polytope::from_points(corners.flat_map(|angle| [corner(angle, -0.5), corner(angle, 0.5)]))
+        .unwrap()
 }
 
 /// Pairs that keep the same distance all the time, and for how many seconds.
@@ -62,7 +68,11 @@ fn pairs(apart: f64) -> Vec<(&'static str, Body, Body, f64)> {
     let still = || Motion::fixed([0.0, 0.0, above]).unwrap();
     let spun = |motion: Motion, rate: f64| motion.spin([0.0, 0.0, 1.0], rate).unwrap();
     let body = |shape: Shape, motion: Motion| Body::moving(shape, motion);
-    let nose = Facing { forward: DVec3::X, up: DVec3::Z, world_up: DVec3::Z };
+    let nose = Facing {
+        forward: DVec3::X,
+        up: DVec3::Z,
+        world_up: DVec3::Z,
+    };
     let thin = Cuboid::new([0.2, 0.5, 0.4]).unwrap();
     let swinging = |side: f64| {
         // Two wheels, one above the other, that turn alike.
@@ -70,20 +80,60 @@ fn pairs(apart: f64) -> Vec<(&'static str, Body, Body, f64)> {
         spun(Motion::fixed(at).unwrap(), 3.0)
     };
     vec![
-        ("ball circling over a floor", body(ball.into(), circling()), floor(), 60.0),
-        ("box circling over a floor", body(bar().into(), circling()), floor(), 60.0),
-        ("box circling and turning over a floor", body(bar().into(), spun(circling(), 3.0)), floor(), 60.0),
-        ("hull circling and turning over a floor", body(hull().into(), spun(circling(), -2.0)), floor(), 60.0),
-        ("box turning on a floor", body(bar().into(), spun(still(), 10.0)), floor(), 10.0),
+        (
+            "ball circling over a floor",
+            body(ball.into(), circling()),
+            floor(),
+            60.0,
+        ),
+        (
+            "box circling over a floor",
+            body(bar().into(), circling()),
+            floor(),
+            60.0,
+        ),
+        (
+            "box circling and turning over a floor",
+            body(bar().into(), spun(circling(), 3.0)),
+            floor(),
+            60.0,
+        ),
+        (
+            "hull circling and turning over a floor",
+            body(hull().into(), spun(circling(), -2.0)),
+            floor(),
+            60.0,
+        ),
+        (
+            "box turning on a floor",
+            body(bar().into(), spun(still(), 10.0)),
+            floor(),
+            10.0,
+        ),
         (
             "box that faces its way over a floor",
             body(bar().into(), circling().facing(nose).unwrap()),
             floor(),
             5.0,
         ),
-        ("balls side by side on curves", body(ball.into(), along(0.0)), body(ball.into(), along(1.0 + apart)), 10.0),
-        ("boxes side by side on curves", body(thin.into(), along(0.0)), body(thin.into(), along(1.0 + apart)), 10.0),
-        ("wheels on one axle", body(hull().into(), swinging(1.0)), body(hull().into(), swinging(-1.0)), 20.0),
+        (
+            "balls side by side on curves",
+            body(ball.into(), along(0.0)),
+            body(ball.into(), along(1.0 + apart)),
+            10.0,
+        ),
+        (
+            "boxes side by side on curves",
+            body(thin.into(), along(0.0)),
+            body(thin.into(), along(1.0 + apart)),
+            10.0,
+        ),
+        (
+            "wheels on one axle",
+            body(hull().into(), swinging(1.0)),
+            body(hull().into(), swinging(-1.0)),
+            20.0,
+        ),
     ]
 }
 
@@ -99,17 +149,30 @@ fn bodies_side_by_side_cost_no_more_than_fifty_queries() {
     let ordinary = [
         run(&spinning(-2.0, 2.0, 3.0), &spinning(2.0, -2.0, 2.0), 1.0),
         run(&Body::moving(cube, path.clone()), &box_ahead, 10.0),
-        run(&Body::moving(hull(), path.spin([1.0, 2.0, 3.0], 2.0).unwrap()), &box_ahead, 10.0),
+        run(
+            &Body::moving(hull(), path.spin([1.0, 2.0, 3.0], 2.0).unwrap()),
+            &box_ahead,
+            10.0,
+        ),
     ];
-    assert!(ordinary.iter().all(|(end, _)| *end == End::Touch), "{ordinary:?}");
-    assert!(ordinary.iter().all(|(_, steps)| (5..=20).contains(steps)), "{ordinary:?}");
+    assert!(
+        ordinary.iter().all(|(end, _)| *end == End::Touch),
+        "{ordinary:?}"
+    );
+    assert!(
+        ordinary.iter().all(|(_, steps)| (5..=20).contains(steps)),
+        "{ordinary:?}"
+    );
     for apart in [1e-3, 1e-6, 1e-9, 0.0] {
         for (name, a, b, horizon) in pairs(apart) {
             let (end, steps) = run(&a, &b, horizon);
             if std::env::var("SHOW").is_ok() {
                 eprintln!("{apart:e} {name}: {end:?} after {steps} steps");
             }
-            assert!(steps <= 50 * ORDINARY, "{name}, {apart:e} apart: {steps} steps");
+            assert!(
+                steps <= 50 * ORDINARY,
+                "{name}, {apart:e} apart: {steps} steps"
+            );
             assert_ne!(end, End::Touch, "{name}, {apart:e} apart");
             // Of how bodies turn that face their way less is known: it is given up honestly.
             if apart >= 1e-3 && !name.contains("faces") {
@@ -126,8 +189,14 @@ fn bodies_that_leave_the_side_are_found() {
     for apart in [1e-6, 1e-9] {
         // Level for 40 m, then down.
         let level = |x: f64| DVec3::new(x, 0.0, 1.5 + apart);
-        let mut control: Vec<DVec3> = (0..=6).map(|step| level(-40.0 + f64::from(step) * 20.0 / 3.0)).collect();
-        control.extend([level(2.0), DVec3::new(4.0, 0.0, 1.4), DVec3::new(6.0, 0.0, 1.0)]);
+        let mut control: Vec<DVec3> = (0..=6)
+            .map(|step| level(-40.0 + f64::from(step) * 20.0 / 3.0))
+            .collect();
+        control.extend([
+            level(2.0),
+            DVec3::new(4.0, 0.0, 1.4),
+            DVec3::new(6.0, 0.0, 1.0),
+        ]);
         let path = Path::bezier(control).unwrap();
         let motion = Motion::along(path.clone(), 1.0).unwrap();
         for rate in [0.0, 3.0] {

@@ -67,15 +67,24 @@ const STILL: Going = Going {
 };
 
 fn flying(velocity: DVec3) -> Going {
-    Going { velocity, rate: 0.0 }
+    Going {
+        velocity,
+        rate: 0.0,
+    }
 }
 
 fn turning(rate: f64) -> Going {
-    Going { velocity: DVec3::ZERO, rate }
+    Going {
+        velocity: DVec3::ZERO,
+        rate,
+    }
 }
 
 fn at(x: f64, y: f64) -> Stand {
-    Stand { at: DVec3::new(x, y, 0.0), angle: 0.0 }
+    Stand {
+        at: DVec3::new(x, y, 0.0),
+        angle: 0.0,
+    }
 }
 
 fn cases(scene: &Scene, rate: f64) -> Vec<Case> {
@@ -85,11 +94,18 @@ fn cases(scene: &Scene, rate: f64) -> Vec<Case> {
     let ball = Sphere::new(0.1).unwrap();
     let right = |speed: f64| DVec3::new(speed, 0.0, 0.0);
     // Half-width of a turned box of half-extents `long` and `short`.
-    let wide = |long: f64, short: f64, angle: f64| long * angle.cos().abs() + short * angle.sin().abs();
+    let wide =
+        |long: f64, short: f64, angle: f64| long * angle.cos().abs() + short * angle.sin().abs();
     let along = |angle: f64| DVec3::new(angle.cos(), angle.sin(), 0.0);
     let across = |angle: f64| DVec3::new(-angle.sin(), angle.cos(), 0.0);
     let mut cases = Vec::new();
-    let mut case = |name, a, b, touch| cases.push(Case { name, pair: [a, b], touch });
+    let mut case = |name, a, b, touch| {
+        cases.push(Case {
+            name,
+            pair: [a, b],
+            touch,
+        });
+    };
 
     let gap = 0.3;
     case(
@@ -107,13 +123,20 @@ fn cases(scene: &Scene, rate: f64) -> Vec<Case> {
     case(
         "flies, flies",
         scene.body(cube, at(0.0, 0.0), flying(right(0.4))),
-        scene.body(cube, at(1.0 + gap, 0.2), flying(DVec3::new(-0.3, 0.1, -0.2))),
+        scene.body(
+            cube,
+            at(1.0 + gap, 0.2),
+            flying(DVec3::new(-0.3, 0.1, -0.2)),
+        ),
         Some((gap / 0.7, Some(DVec3::NEG_X))),
     );
 
     // Sweeps up to where the ball's edge lies.
     let until = FRAC_PI_4 - 0.1_f64.asin();
-    let place = Stand { at: 1.5 * along(FRAC_PI_4), angle: 0.0 };
+    let place = Stand {
+        at: 1.5 * along(FRAC_PI_4),
+        angle: 0.0,
+    };
     case(
         "turns, stands",
         scene.body(bar, at(0.0, 0.0), turning(rate)),
@@ -126,11 +149,24 @@ fn cases(scene: &Scene, rate: f64) -> Vec<Case> {
     let touched = 1.2 * along(0.7) + 0.15 * across(0.7);
     let down = rate * DVec3::new(0.3, -0.8, 0.0);
     let drift = rate * DVec3::new(0.1, 0.2, -0.4);
-    for (name, drift) in [("turns, flies", DVec3::ZERO), ("flies and turns, flies", drift)] {
-        let above = Stand { at: touched - time * down, angle: 0.0 };
+    for (name, drift) in [
+        ("turns, flies", DVec3::ZERO),
+        ("flies and turns, flies", drift),
+    ] {
+        let above = Stand {
+            at: touched - time * down,
+            angle: 0.0,
+        };
         case(
             name,
-            scene.body(bar, at(0.0, 0.0), Going { velocity: drift, rate }),
+            scene.body(
+                bar,
+                at(0.0, 0.0),
+                Going {
+                    velocity: drift,
+                    rate,
+                },
+            ),
             scene.body(ball, above, flying(down + drift)),
             Some((time, Some(-across(0.7)))),
         );
@@ -142,7 +178,17 @@ fn cases(scene: &Scene, rate: f64) -> Vec<Case> {
     case(
         "turns, flies and turns",
         scene.body(bar, at(0.0, 0.0), turning(rate)),
-        scene.body(half, Stand { at: touched - time * down, angle: 0.0 }, Going { velocity: down, rate }),
+        scene.body(
+            half,
+            Stand {
+                at: touched - time * down,
+                angle: 0.0,
+            },
+            Going {
+                velocity: down,
+                rate,
+            },
+        ),
         Some((time, Some(-across(0.7)))),
     );
 
@@ -152,19 +198,39 @@ fn cases(scene: &Scene, rate: f64) -> Vec<Case> {
     let far = wide(0.5, 0.5, 1.1) + speed * time;
     case(
         "flies and turns, stands",
-        scene.body(cube, at(0.0, 0.0), Going { velocity: right(speed), rate }),
+        scene.body(
+            cube,
+            at(0.0, 0.0),
+            Going {
+                velocity: right(speed),
+                rate,
+            },
+        ),
         scene.body(wall, at(far + 0.5, 0.0), STILL),
         Some((time, Some(DVec3::NEG_X))),
     );
 
     // Mirror images meet in the mirror: two bars whose ends come up to it, and fly there.
     let angle = FRAC_PI_2 - 1.2;
-    for (name, speed) in [("turns, turns", 0.0), ("flies and turns, flies and turns", 0.2 * rate)] {
+    for (name, speed) in [
+        ("turns, turns", 0.0),
+        ("flies and turns, flies and turns", 0.2 * rate),
+    ] {
         let time = 1.2 / rate;
         let far = wide(2.0, 0.05, angle) + speed * time;
-        let standing = |x: f64| Stand { at: DVec3::new(x, 0.0, 0.0), angle: FRAC_PI_2 };
+        let standing = |x: f64| Stand {
+            at: DVec3::new(x, 0.0, 0.0),
+            angle: FRAC_PI_2,
+        };
         let bar = |x: f64, velocity: f64, rate: f64| {
-            scene.body(bar, standing(x), Going { velocity: right(velocity), rate })
+            scene.body(
+                bar,
+                standing(x),
+                Going {
+                    velocity: right(velocity),
+                    rate,
+                },
+            )
         };
         case(
             name,
@@ -180,8 +246,18 @@ fn cases(scene: &Scene, rate: f64) -> Vec<Case> {
     let until = FRAC_PI_2 - angle;
     case(
         "turns, turns about a point",
-        scene.orbiting(radius, DVec3::new(-0.5 * apart, 0.0, 0.0), DVec3::new(0.0, arm, 0.0), -rate),
-        scene.orbiting(radius, DVec3::new(0.5 * apart, 0.0, 0.0), DVec3::new(0.0, arm, 0.0), rate),
+        scene.orbiting(
+            radius,
+            DVec3::new(-0.5 * apart, 0.0, 0.0),
+            DVec3::new(0.0, arm, 0.0),
+            -rate,
+        ),
+        scene.orbiting(
+            radius,
+            DVec3::new(0.5 * apart, 0.0, 0.0),
+            DVec3::new(0.0, arm, 0.0),
+            rate,
+        ),
         Some((until / rate, Some(DVec3::NEG_X))),
     );
     cases
@@ -190,9 +266,18 @@ fn cases(scene: &Scene, rate: f64) -> Vec<Case> {
 fn scenes() -> [Scene; 3] {
     let turn = DQuat::from_axis_angle(DVec3::new(1.0, -2.0, 0.5).normalize(), 2.2);
     [
-        Scene { turn: DQuat::IDENTITY, shift: DVec3::ZERO },
-        Scene { turn, shift: DVec3::new(3.0, -7.0, 2.0) },
-        Scene { turn, shift: DVec3::new(9e3, 4e3, -2e3) },
+        Scene {
+            turn: DQuat::IDENTITY,
+            shift: DVec3::ZERO,
+        },
+        Scene {
+            turn,
+            shift: DVec3::new(3.0, -7.0, 2.0),
+        },
+        Scene {
+            turn,
+            shift: DVec3::new(9e3, 4e3, -2e3),
+        },
     ]
 }
 
@@ -202,7 +287,12 @@ fn all_combinations_meet_when_they_must() {
         // Rounding in the coordinates.
         let slack = 1e-11 + 1e-14 * scene.shift.length();
         for rate in [2.0, 6.0, 31.4] {
-            for Case { name, pair: [a, b], touch } in cases(&scene, rate) {
+            for Case {
+                name,
+                pair: [a, b],
+                touch,
+            } in cases(&scene, rate)
+            {
                 let told = format!("{name} at {rate}, {} off", scene.shift.length());
                 let found = first_contact(&a, &b, SECONDS, &Method::Exact).unwrap();
                 let Some((time, normal)) = touch else {
@@ -242,7 +332,10 @@ fn all_combinations_meet_at_any_frame_rate() {
                 }
                 let off = seen.zip(touch).map(|(seen, (time, _))| seen.time - time);
                 assert_eq!(seen.is_some(), touch.is_some(), "{name} at {frames} Hz");
-                assert!(off.is_none_or(|off| off.abs() < 1e-9), "{name} at {frames} Hz: {off:?}");
+                assert!(
+                    off.is_none_or(|off| off.abs() < 1e-9),
+                    "{name} at {frames} Hz: {off:?}"
+                );
             }
         }
     }
@@ -252,7 +345,12 @@ fn all_combinations_meet_at_any_frame_rate() {
 #[test]
 fn combinations_tunnel_if_looked_at_now_and_then() {
     let scene = &scenes()[0];
-    for Case { name, pair: [a, b], touch } in cases(scene, 31.4) {
+    for Case {
+        name,
+        pair: [a, b],
+        touch,
+    } in cases(scene, 31.4)
+    {
         if touch.is_none() || !name.contains("turns") {
             continue;
         }

@@ -24,14 +24,20 @@ pub struct Contender<'a> {
 }
 
 pub fn all(casts: &[Cast]) -> Vec<Contender<'_>> {
-    vec![feeler(casts), double::contender(casts), single::contender(casts)]
+    vec![
+        feeler(casts),
+        double::contender(casts),
+        single::contender(casts),
+    ]
 }
 
 fn body(flyer: &Flyer) -> Body {
     let shape: Shape = match &flyer.form {
         Form::Ball(radius) => Sphere::new(*radius).expect("in range").into(),
         Form::Cuboid(half) => Cuboid::new(*half).expect("in range").into(),
-        Form::Hull(points) => Polytope::from_points(points.clone()).expect("in general position").into(),
+        Form::Hull(points) => Polytope::from_points(points.clone())
+            .expect("in general position")
+            .into(),
     };
     let motion = Motion::free(flyer.position, flyer.velocity)
         .and_then(|motion| motion.spin(flyer.spin, flyer.spin.length()));
@@ -39,7 +45,10 @@ fn body(flyer: &Flyer) -> Body {
 }
 
 fn feeler(casts: &[Cast]) -> Contender<'_> {
-    let pairs: Vec<[Body; 2]> = casts.iter().map(|cast| cast.flyers.each_ref().map(body)).collect();
+    let pairs: Vec<[Body; 2]> = casts
+        .iter()
+        .map(|cast| cast.flyers.each_ref().map(body))
+        .collect();
     let copies = pairs.clone();
     let cast = |[a, b]: &[Body; 2]| first_contact(a, b, 1.0, &Method::Exact);
     Contender {
@@ -52,7 +61,10 @@ fn feeler(casts: &[Cast]) -> Contender<'_> {
         answer: Box::new(move |index| {
             // One that is given up counts as a miss if it is one.
             let found = cast(&copies[index]).ok().flatten()?;
-            Some(Answer { time: found.fraction, normal: found.normal })
+            Some(Answer {
+                time: found.fraction,
+                normal: found.normal,
+            })
         }),
     }
 }
@@ -90,7 +102,12 @@ macro_rules! parry {
                 let turn = flyer.orientation.normalize();
                 let turn = [turn.x, turn.y, turn.z, turn.w].map(|part| part as Real);
                 let start = Pose::from_parts(vector(flyer.position), Rotation::from_array(turn));
-                NonlinearRigidMotion::new(start, Vector::ZERO, vector(flyer.velocity), vector(flyer.spin))
+                NonlinearRigidMotion::new(
+                    start,
+                    Vector::ZERO,
+                    vector(flyer.velocity),
+                    vector(flyer.spin),
+                )
             }
 
             type Input = ([NonlinearRigidMotion; 2], [SharedShape; 2]);

@@ -29,8 +29,12 @@ impl Form {
         match kind {
             Kind::Ball => Self::Ball(single(random.between(0.1, 0.5))),
             Kind::Box => Self::Cuboid(single_vector(random.vector(0.2, 0.6))),
-            Kind::Bar => Self::Cuboid(single_vector(random.between(0.8, 1.2) * DVec3::new(1.0, 0.05, 0.05))),
-            Kind::Slab => Self::Cuboid(single_vector(random.between(0.5, 1.0) * DVec3::new(1.0, 0.7, 0.01))),
+            Kind::Bar => Self::Cuboid(single_vector(
+                random.between(0.8, 1.2) * DVec3::new(1.0, 0.05, 0.05),
+            )),
+            Kind::Slab => Self::Cuboid(single_vector(
+                random.between(0.5, 1.0) * DVec3::new(1.0, 0.7, 0.01),
+            )),
             Kind::Hull => {
                 let axes = random.vector(0.3, 0.8);
                 let point = |_| single_vector(axes * random.direction());
@@ -62,10 +66,24 @@ impl Flyer {
     pub fn actor(&self) -> Actor {
         let (rate, axis) = (self.spin.length(), self.spin.normalize_or(DVec3::X));
         let (turn_axis, angle) = self.orientation.normalize().to_axis_angle();
-        let way = Way::Free { from: self.position, velocity: self.velocity };
-        let turning = Turning::Spin { point: DVec3::ZERO, axis, rate };
+        let way = Way::Free {
+            from: self.position,
+            velocity: self.velocity,
+        };
+        let turning = Turning::Spin {
+            point: DVec3::ZERO,
+            axis,
+            rate,
+        };
         let turned: DMat3 = axes(turn_axis, angle);
-        Actor { solid: self.form.solid(), course: Course { way, turning, turned } }
+        Actor {
+            solid: self.form.solid(),
+            course: Course {
+                way,
+                turning,
+                turned,
+            },
+        }
     }
 }
 
@@ -81,7 +99,13 @@ impl Cast {
         let reaches = forms.each_ref().map(|form| form.solid().reach(DVec3::ZERO));
         let size: f64 = reaches.iter().sum();
         let towards = random.direction();
-        let aside = 0.6 * size * random.unit().sqrt() * towards.cross(random.direction()).normalize();
+        // So that a third to two thirds of the casts hit.
+        let thin = kinds
+            .iter()
+            .any(|kind| matches!(kind, Kind::Bar | Kind::Slab));
+        let spread = if thin { 0.7 } else { 1.1 };
+        let aside =
+            spread * size * random.unit().sqrt() * towards.cross(random.direction()).normalize();
         let distance = size * random.between(1.1, 2.5);
         let middle = random.vector(-2.0, 2.0);
         let meeting = random.between(0.3, 1.2);

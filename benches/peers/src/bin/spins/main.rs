@@ -59,10 +59,15 @@ struct Options {
 }
 
 fn options() -> Result<Options, String> {
-    let mut options = Options { casts: 1000, seed: 1 };
+    let mut options = Options {
+        casts: 1000,
+        seed: 1,
+    };
     let mut arguments = std::env::args().skip(1);
     while let Some(name) = arguments.next() {
-        let value = arguments.next().ok_or_else(|| format!("{name} needs a value"))?;
+        let value = arguments
+            .next()
+            .ok_or_else(|| format!("{name} needs a value"))?;
         let bad = |error| format!("{name} {value}: {error}");
         match name.as_str() {
             "--casts" => options.casts = value.parse().map_err(bad)?,
@@ -106,12 +111,18 @@ fn main() -> ExitCode {
             return ExitCode::FAILURE;
         }
     };
-    println!("Up to {} casts a pair, seed {}; parry 0.31.\n", options.casts, options.seed);
-    let head = "pair (hits)|contender|time per cast|misses|ghosts|normals off|median|99 %|worst|worst gap";
+    println!(
+        "Up to {} casts a pair, seed {}; parry 0.31.\n",
+        options.casts, options.seed
+    );
+    let head =
+        "pair (hits)|contender|time per cast|misses|ghosts|normals off|median|99 %|worst|worst gap";
     let mut rows: Vec<Vec<String>> = vec![head.split('|').map(str::to_owned).collect()];
     for (name, kinds, rate) in sets() {
         let mut random = Random::new(options.seed);
-        let casts: Vec<Cast> = (0..options.casts).map(|_| Cast::new(&mut random, kinds, rate)).collect();
+        let casts: Vec<Cast> = (0..options.casts)
+            .map(|_| Cast::new(&mut random, kinds, rate))
+            .collect();
         let truths: Vec<Truth> = casts.iter().map(Truth::of).collect();
         let hits = truths.iter().filter(|truth| truth.touch.is_some()).count();
         let contenders = contender::all(&casts);
@@ -122,7 +133,11 @@ fn main() -> ExitCode {
                 score.add(cast, truth, contender.precision, (contender.answer)(index));
             }
             let share = 100.0 * hits as f64 / casts.len() as f64;
-            let pair = if number == 0 { format!("{name} ({share:.0} %)") } else { String::new() };
+            let pair = if number == 0 {
+                format!("{name} ({share:.0} %)")
+            } else {
+                String::new()
+            };
             let mut row = vec![pair, contender.name.into(), table::duration(seconds)];
             row.extend(score.cells());
             rows.push(row);

@@ -25,7 +25,16 @@ fn timed(run: impl Fn()) -> f64 {
 /// A bar that spins in its middle, and a ball that is in its way.
 pub fn bars() {
     let mut rows = vec![
-        ["radians in 1 s", "touch at", "feeler", "parry f64", "parry f32", "feeler's error"].map(String::from).to_vec(),
+        [
+            "radians in 1 s",
+            "touch at",
+            "feeler",
+            "parry f64",
+            "parry f32",
+            "feeler's error",
+        ]
+        .map(String::from)
+        .to_vec(),
     ];
     for rate in [3.0, PI, 6.0, 2.0 * PI, 12.0, 31.4, 1000.0] {
         let place = 1.5 * DVec3::new(FRAC_PI_4.cos(), FRAC_PI_4.sin(), 0.0);
@@ -36,14 +45,23 @@ pub fn bars() {
             velocity: DVec3::ZERO,
             spin,
         };
-        let bar = flyer(Form::Cuboid(DVec3::new(2.0, 0.05, 0.05)), DVec3::ZERO, rate * DVec3::Z);
+        let bar = flyer(
+            Form::Cuboid(DVec3::new(2.0, 0.05, 0.05)),
+            DVec3::ZERO,
+            rate * DVec3::Z,
+        );
         let ball = flyer(Form::Ball(0.1), place, DVec3::ZERO);
-        let cast = Cast { flyers: [bar, ball], size: 2.2 };
+        let cast = Cast {
+            flyers: [bar, ball],
+            size: 2.2,
+        };
         let motion = Motion::fixed([0.0; 3]).and_then(|motion| motion.spin([0.0, 0.0, 1.0], rate));
         let bar = Cuboid::new([2.0, 0.05, 0.05]).expect("in range");
         let bar = Body::moving(bar, motion.expect("in range"));
         let ball = Body::fixed(Sphere::new(0.1).expect("in range"), place);
-        let found = first_contact(&bar, &ball, 1.0, &Method::Exact).ok().flatten();
+        let found = first_contact(&bar, &ball, 1.0, &Method::Exact)
+            .ok()
+            .flatten();
         let want = (FRAC_PI_4 - 0.1_f64.asin()) / rate;
         let told = |time: Option<f64>| time.map_or("none".into(), |time| format!("{time:.7} s"));
         let found = found.map(|found| found.fraction);
@@ -66,7 +84,9 @@ pub fn curves() {
         Path::bezier(points.map(|[x, y]| DVec3::new(turn * x, turn * (y + 0.5) - 0.5, 0.0)))
     };
     let along = |shape: Shape, turn: f64| {
-        let motion = arch(turn).ok().and_then(|path| Motion::along(path, 8.0).ok());
+        let motion = arch(turn)
+            .ok()
+            .and_then(|path| Motion::along(path, 8.0).ok());
         Body::moving(shape, motion.expect("in range"))
     };
     let cube: Shape = Cuboid::new([0.5; 3]).expect("in range").into();
@@ -92,17 +112,43 @@ pub fn curves() {
     });
     let feeler = |a: &Body, b: &Body| {
         timed(|| {
-            let _ = black_box(first_contact(black_box(a), black_box(b), 1.0, &Method::Exact));
+            let _ = black_box(first_contact(
+                black_box(a),
+                black_box(b),
+                1.0,
+                &Method::Exact,
+            ));
         })
     };
     let fixed = Body::fixed(cube.clone(), [0.0, -1.0, 0.0]);
     let (in_double, in_single) = (double::ready(&cast), single::ready(&cast));
     let rows = [
-        ("one pair", [Some("feeler".to_owned()), Some("parry f64".into()), Some("parry f32".into())]),
-        ("box on a Bézier, box", [Some(table::duration(feeler(&along(cube.clone(), 1.0), &fixed))), None, None]),
+        (
+            "one pair",
+            [
+                Some("feeler".to_owned()),
+                Some("parry f64".into()),
+                Some("parry f32".into()),
+            ],
+        ),
+        (
+            "box on a Bézier, box",
+            [
+                Some(table::duration(feeler(&along(cube.clone(), 1.0), &fixed))),
+                None,
+                None,
+            ],
+        ),
         (
             "balls on two Béziers",
-            [Some(table::duration(feeler(&along(ball.clone(), 1.0), &along(ball, -1.0)))), None, None],
+            [
+                Some(table::duration(feeler(
+                    &along(ball.clone(), 1.0),
+                    &along(ball, -1.0),
+                ))),
+                None,
+                None,
+            ],
         ),
         (
             "spinning box–box",

@@ -21,13 +21,23 @@ impl Truth {
         let [a, b] = cast.actors();
         let look = Look::at(&a, &b, 1.0, 1e-8 * cast.size);
         let Some(touch) = look.touch else {
-            return Self { touch: None, margin: look.least.0, normal: DVec3::X };
+            return Self {
+                touch: None,
+                margin: look.least.0,
+                normal: DVec3::X,
+            };
         };
         let later = (0..=200).map(|step| touch + (1.0 - touch) * (f64::from(step) / 200.0).powi(3));
-        let deepest = later.map(|time| above(&a, &b, time)).fold(f64::MAX, f64::min);
+        let deepest = later
+            .map(|time| above(&a, &b, time))
+            .fold(f64::MAX, f64::min);
         let placed = (a.placed(touch), b.placed(touch));
         let normal = crate::gap::apart(&placed.0, &placed.1).1;
-        Self { touch: Some(touch), margin: -deepest, normal }
+        Self {
+            touch: Some(touch),
+            margin: -deepest,
+            normal,
+        }
     }
 }
 
@@ -66,8 +76,14 @@ impl Score {
     pub fn cells(mut self) -> Vec<String> {
         self.errors.sort_by(f64::total_cmp);
         let last = self.errors.len().saturating_sub(1);
-        let quantile = |share: f64| self.errors.get((share * last as f64).round() as usize).copied();
-        let mut cells = [self.misses, self.ghosts, self.normals].map(|count| count.to_string()).to_vec();
+        let quantile = |share: f64| {
+            self.errors
+                .get((share * last as f64).round() as usize)
+                .copied()
+        };
+        let mut cells = [self.misses, self.ghosts, self.normals]
+            .map(|count| count.to_string())
+            .to_vec();
         cells.extend([0.5, 0.99, 1.0].map(|share| table::length(quantile(share))));
         cells.push(table::length((!self.errors.is_empty()).then_some(self.gap)));
         cells
