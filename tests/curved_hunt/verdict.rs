@@ -186,7 +186,8 @@ impl Pair {
             .actors
             .iter()
             .any(|actor| actor.course.rate().is_none());
-        faces && self.above(time - 1e-9 * self.horizon) > 0.0
+        let [before, after] = [-1e-9, 1e-9].map(|share| self.above(time + share * self.horizon));
+        faces && before > 0.0 && after < 0.0
     }
 
     fn touch(&self, found: &PairContact, look: &Look) -> Verdict {
@@ -203,11 +204,7 @@ impl Pair {
         if !matches!(found.kind, ContactKind::Touch) || !(0.0..=1.0).contains(&found.fraction) {
             return wrong("no touch");
         }
-        if now > slack + self.touch {
-            return wrong("ghost");
-        }
-        let slack = slack + now.max(0.0);
-        if now < -10.0 * slack && self.jumps(time) {
+        if now.abs() > 10.0 * slack && self.jumps(time) {
             let late = look.touch.map_or(f64::MAX, |touch| time - touch) / self.horizon;
             return if late.abs() <= LATE {
                 Verdict::Jump
@@ -215,6 +212,10 @@ impl Pair {
                 wrong("jump")
             };
         }
+        if now > slack + self.touch {
+            return wrong("ghost");
+        }
+        let slack = slack + now.max(0.0);
         // Both bodies have the point, and lie on their sides of it.
         let [on_a, on_b] = here
             .each_ref()
