@@ -3,8 +3,10 @@
 #![allow(
     clippy::unwrap_used,
     clippy::panic,
+    clippy::print_stderr,
     reason = "helpers outside the test functions build from input that is fine, or fail the test"
 )]
 
 mod named;
 mod seams;
+mod sliding;

@@ -6,6 +6,7 @@
     reason = "helpers outside the test functions build from input that is fine, or fail the test"
 )]
 
+mod combinations;
 mod draw;
 mod named;
 mod oracle;

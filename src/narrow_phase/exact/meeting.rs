@@ -1,7 +1,7 @@
 //! How two bodies stand that have just met.
 
 use super::flight::Flight;
-use super::window::Window;
+use super::window::{Side, Window};
 use super::{Touching, touch as cast};
 use crate::geometry::{Feature, Pose, Shape};
 use crate::narrow_phase::distance::closest_points;
@@ -19,6 +19,9 @@ pub(super) struct Meeting {
 
 /// Share of the pair's size that a touch may be away along the motion.
 const NEAR: f64 = 1e-6;
+
+/// Share of the pair's size that the point of touch may be off because bodies turn or slide in the last bit of the way.
+const BESIDE: f64 = 1e-11;
 
 /// The touch of two bodies that are nearer than `touch` metres at `time`; `normal` is that of the
 /// last plane between them, if there was one.
@@ -68,7 +71,24 @@ pub(super) fn meet(
     }
     let closing = -touching.normal.dot(velocity);
     let late = later > 0.0 && later * speed <= NEAR * reach + 4.0 * touch;
-    touching.fraction = (time + if late { later } else { 0.0 }).min(1.0);
+    if !late {
+        later = 0.0;
+    }
+    // Who turns or slides on meanwhile touches a little beside: once more from where they stand by
+    // then. Far from the origin, where `touch` is wide, this matters.
+    let turning = |side: &Side<'_>| side.arm * side.spin.length();
+    let turning = turning(&window.a) + turning(&window.b) + window.turning;
+    if later * (speed + turning) > BESIDE * reach {
+        let [by_a, by_b] = [a, b].map(|flight| flight.at((time + later).min(1.0)).pose);
+        if let Some(found) = cast(shape_a, &by_a, shape_b, &by_b, velocity) {
+            let near = found.fraction.abs() * speed <= NEAR * reach;
+            if near && found.normal.dot(touching.normal) > 0.99 {
+                later += found.fraction;
+                touching = found;
+            }
+        }
+    }
+    touching.fraction = (time + later).min(1.0);
     Some(Meeting {
         touching,
         closing,

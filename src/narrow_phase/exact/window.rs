@@ -136,7 +136,8 @@ impl Window<'_> {
         const ROUNDS: u32 = 6;
         let bend = self.bend(plane);
         let start = self.lowest(plane, 0.0, bend, floor).start;
-        if start.is_nan() || start <= 0.0 {
+        // Where a body may jump, slopes are infinite, and no plane says anything.
+        if start.is_nan() || start <= 0.0 || self.turning.is_infinite() {
             return 0.0;
         }
         let mut end = self.length;

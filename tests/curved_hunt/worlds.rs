@@ -1,0 +1,97 @@
+//! The same pairs in worlds, in frames of any length.
+
+use crate::draw::Draw;
+use crate::hunt::seeds;
+use crate::verdict::Pair;
+use feeler::{CollisionWorld, Contact, Method, first_contact};
+
+/// What a world tells first of its two bodies, in frames of so many to the horizon.
+fn stepped(pair: &Pair, frames: u32) -> Result<Option<Contact>, f64> {
+    let mut world = CollisionWorld::default();
+    for body in &pair.bodies {
+        world.insert(body.clone()).unwrap();
+    }
+    for frame in 0..frames {
+        let contact = world
+            .step(pair.horizon / f64::from(frames))
+            .unwrap()
+            .first()
+            .copied();
+        if world.stats().undecided > 0 {
+            return Err(f64::from(frame) / f64::from(frames) * pair.horizon);
+        }
+        if contact.is_some() {
+            return Ok(contact);
+        }
+    }
+    Ok(None)
+}
+
+#[test]
+fn frames_of_any_length_tell_the_same_first_contact() {
+    let (mut hits, mut misses, mut open) = (0, 0, 0);
+    let seeds = seeds(40);
+    let all = seeds.end - seeds.start;
+    let mut wrong = Vec::new();
+    for seed in seeds {
+        // Others than those of the hunt.
+        let pair = Pair::new(Draw::new(seed + (1 << 32)));
+        let slack = 1e-9 * pair.size + pair.rounding;
+        let [a, b] = &pair.bodies;
+        if pair.above(0.0) < slack {
+            continue;
+        }
+        let Ok(whole) = first_contact(a, b, pair.horizon, &Method::Exact) else {
+            open += 1;
+            continue;
+        };
+        if whole.is_some() {
+            hits += 1;
+        } else {
+            misses += 1;
+        }
+        for frames in [1, 24, 1000] {
+            let Ok(found) = stepped(&pair, frames) else {
+                open += 1;
+                continue;
+            };
+            let told = match (whole, found) {
+                (None, None) => continue,
+                (Some(whole), Some(found)) => {
+                    let late = found.time / pair.horizon - whole.fraction;
+                    let off = found.point.distance(whole.point) / pair.size;
+                    // Two fixed bodies never meet, and a moving one comes first.
+                    let sign = if pair.bodies[0].motion().is_fixed() {
+                        -1.0
+                    } else {
+                        1.0
+                    };
+                    let turned = found.normal.distance(sign * whole.normal);
+                    let near = 1e-6 + 10.0 * pair.rounding / pair.size;
+                    if found.is_touch() && late.abs() <= 1e-9 && off < near && turned < near {
+                        continue;
+                    }
+                    format!("late {late:e} off {off:e} turned {turned:e}")
+                }
+                (Some(whole), None) => format!("missed at {}", whole.fraction),
+                (None, Some(found)) => format!("ghost at {}", found.time / pair.horizon),
+            };
+            // Who just grazes may do so or not.
+            let time = whole.map_or_else(
+                || found.map_or(0.0, |found| found.time),
+                |whole| whole.fraction * pair.horizon,
+            );
+            let low = (-8..=8).map(|step| pair.above(time + f64::from(step) * 1e-5 * pair.horizon));
+            if low.fold(f64::MAX, f64::min) < -1e-6 * pair.size {
+                wrong.push(format!("{seed} in {frames} frames: {told}"));
+            } else {
+                open += 1;
+            }
+        }
+    }
+    let told = format!("{hits} hits, {misses} misses, {open} open");
+    eprintln!("{told}");
+    assert!(wrong.is_empty(), "{told}\n{}", wrong.join("\n"));
+    assert!(5 * hits > all && 10 * misses > all, "lopsided: {told}");
+    assert!(20 * open <= all, "{told}");
+}
