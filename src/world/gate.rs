@@ -14,6 +14,8 @@ pub(super) struct Gate<'a> {
     pub(super) slots: &'a Slots,
     pub(super) keep: Keep<'a>,
     pub(super) span: Span,
+    /// For how long pairs are found: the frame, or more.
+    pub(super) ahead: Span,
 }
 
 /// The pairs that were let through, and what became of the others.
@@ -24,6 +26,8 @@ pub(super) struct Passed {
     pub(super) count: usize,
     /// Pairs that came, but for those of groups that do not meet.
     pub(super) seen: usize,
+    /// Of these, pairs that will not be seen again before pairs are found anew.
+    pub(super) dismissed: usize,
     pub(super) rejected: RejectionCounts,
 }
 
@@ -32,6 +36,7 @@ impl Passed {
         self.pairs.clear();
         self.count = 0;
         self.seen = 0;
+        self.dismissed = 0;
         self.rejected = RejectionCounts::default();
     }
 
@@ -40,6 +45,7 @@ impl Passed {
     pub(super) fn append(&mut self, other: &Self) {
         self.count += other.count;
         self.seen += other.seen;
+        self.dismissed += other.dismissed;
         self.rejected.too_far += other.rejected.too_far;
         self.rejected.moving_away += other.rejected.moving_away;
         self.rejected.passing_by += other.rejected.passing_by;
@@ -47,6 +53,31 @@ impl Passed {
 }
 
 impl Gate<'_> {
+    /// Whether pairs are found for more than the frame.
+    pub(super) fn looks_ahead(&self) -> bool {
+        self.ahead.dt > self.span.dt
+    }
+
+    /// Whether a pair that has just been found is to be kept: whether it may meet before pairs
+    /// are found anew.
+    #[inline]
+    pub(super) fn may_meet(
+        &self,
+        a: &Leaf<'_, Track>,
+        b: &Leaf<'_, Track>,
+        passed: &mut Passed,
+    ) -> bool {
+        let rejection = a.data.reject_ahead(b.data, self.ahead);
+        if let Some(rejection) = rejection
+            && a.data.groups.meets(b.data.groups)
+        {
+            passed.seen += 1;
+            passed.dismissed += 1;
+            passed.rejected.count(rejection);
+        }
+        rejection.is_none()
+    }
+
     #[inline]
     pub(super) fn pass(&self, a: &Leaf<'_, Track>, b: &Leaf<'_, Track>, passed: &mut Passed) {
         if !a.data.groups.meets(b.data.groups) {

@@ -1,7 +1,7 @@
 //! Pairs handed out, and kept for as long as their boxes hold.
 
 use super::Bvh;
-use super::pairs::{Job, Portion};
+use super::pairs::{Job, Portion, across};
 use super::tree::{Mobility, Tree};
 
 /// Pairs are handed out in portions of about so many: few enough that what they
@@ -13,6 +13,16 @@ pub(super) const PORTION: usize = 1024;
 pub(super) struct List {
     pub(super) trees: [usize; 2],
     pub(super) pairs: Vec<(u32, u32)>,
+}
+
+impl List {
+    /// Closes the gap before a portion's pairs that are left, `from` and so many.
+    pub(super) fn close_gap(&mut self, kept: &mut usize, from: usize, left: usize) {
+        if *kept != from {
+            self.pairs.copy_within(from..from + left, *kept);
+        }
+        *kept += left;
+    }
 }
 
 /// All lists; the first so many are of trees that were there at the last update.
@@ -35,8 +45,8 @@ impl Lists {
     }
 
     /// The pairs that are kept.
-    pub(super) fn kept(&self) -> &[List] {
-        self.lists.get(..self.kept).unwrap_or_default()
+    pub(super) fn kept(&mut self) -> &mut [List] {
+        self.lists.get_mut(..self.kept).unwrap_or_default()
     }
 
     /// A list to be filled, which has no pairs yet.
@@ -69,20 +79,28 @@ impl Lists {
     }
 }
 
-impl<T: Copy> Bvh<T> {
+impl<T: Copy + Sync> Bvh<T> {
     /// Hands out all pairs of bodies whose boxes overlap, in portions, in no
     /// particular order; each pair once.
     ///
     /// O(bodies + pairs) for boxes of like size, O(pairs) for those that were there
     /// already if boxes were [renewed](Self::renew). Does not allocate once there have
     /// been as many pairs.
-    pub fn pairs(&mut self, mut visit: impl FnMut(&Portion<'_, T>)) {
+    pub fn pairs(&mut self, mut visit: impl FnMut(&mut Portion<'_, T>)) {
         for list in self.lists.kept() {
-            for pairs in list.pairs.chunks(PORTION) {
-                if let Some(found) = Portion::new(&self.trees, list.trees, pairs) {
-                    visit(&found);
+            let (mut kept, mut from) = (0, 0);
+            while from < list.pairs.len() {
+                let until = list.pairs.len().min(from + PORTION);
+                let pairs = list.pairs.get_mut(from..until).unwrap_or_default();
+                let mut left = 0;
+                if let Some(mut portion) = Portion::new(&self.trees, list.trees, pairs, false) {
+                    visit(&mut portion);
+                    left = portion.len();
                 }
+                list.close_gap(&mut kept, from, left);
+                from = until;
             }
+            list.pairs.truncate(kept);
         }
         for a in 0..self.trees.len() {
             for b in a..self.trees.len() {
@@ -92,20 +110,28 @@ impl<T: Copy> Bvh<T> {
                 let mut list = self.lists.take([a, b]);
                 let trees = &self.trees;
                 let mut told = 0;
-                let mut tell = |pairs: &[(u32, u32)], least: usize| {
-                    if pairs.len() >= told + least {
-                        let new = pairs.get(told..).unwrap_or_default();
-                        if let Some(found) = Portion::new(trees, [a, b], new) {
-                            visit(&found);
-                        }
-                        told = pairs.len();
+                let mut tell = |pairs: &mut Vec<(u32, u32)>| {
+                    let new = pairs.get_mut(told..).unwrap_or_default();
+                    if let Some(mut portion) = Portion::new(trees, [a, b], new, true) {
+                        visit(&mut portion);
+                        told += portion.len();
+                    }
+                    pairs.truncate(told);
+                    told + PORTION
+                };
+                let mut full = PORTION;
+                let mut pair = |a, b| {
+                    list.pairs.push((a, b));
+                    if list.pairs.len() >= full {
+                        full = tell(&mut list.pairs);
                     }
                 };
-                let tests = start.run(trees, &mut |a, b| {
-                    list.pairs.push((a, b));
-                    tell(&list.pairs, PORTION);
-                });
-                tell(&list.pairs, 1);
+                let tests = match start.lopsided(trees) {
+                    Some((of, false)) => across(of, 0..of[1].leaves.len(), pair),
+                    Some((of, true)) => across(of, 0..of[1].leaves.len(), |b, a| pair(a, b)),
+                    None => start.run(trees, &mut pair),
+                };
+                tell(&mut list.pairs);
                 self.keep(list, tests);
             }
         }
