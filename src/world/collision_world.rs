@@ -62,7 +62,7 @@ pub struct CollisionWorld {
     pub(super) contacts: Vec<Contact>,
     /// Pairs that were reported as touching and have not parted since, sorted.
     pub(super) touching: Vec<PairKey>,
-    /// Pairs with a contact in the last step, sorted.
+    /// Pairs with a contact in the last step, as contacts name them, sorted.
     pub(super) met: Vec<PairKey>,
     /// What the narrow phase found in the frame at hand.
     pub(super) findings: Findings,

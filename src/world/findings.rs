@@ -1,7 +1,7 @@
 //! What the narrow phase finds in a frame, and its order.
 
+use crate::math::radix::sort_by_slots;
 use crate::world::pair::PairEffort;
-use crate::world::radix::sort_by_slots;
 use crate::world::{Contact, ContactKind};
 
 /// A pair of slots, the lower one first, as one number to sort by.
@@ -33,16 +33,27 @@ pub(super) struct Findings {
 /// Which contact is whose.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Found {
-    pair: PairKey,
-    /// In which list, and where in it.
-    part: u32,
+    /// The slots as the contact names them, as one number to sort by.
+    order: u64,
+    /// Where in its list.
     index: u32,
-    /// Whether the contact names the higher slot first.
-    turned: bool,
-    /// Whether it is one of the moment at which the frame begins.
-    at_start: bool,
-    /// Whether the pair may have met unseen: it overlaps, and neither body was put where it is.
-    drifted: bool,
+    /// In which list, and two marks.
+    rest: u32,
+}
+
+impl Found {
+    /// It is one of the moment at which the frame begins.
+    const AT_START: u32 = 1;
+    /// The pair may have met unseen: it overlaps, and neither body was put where it is.
+    const DRIFTED: u32 = 2;
+
+    fn is(&self, mark: u32) -> bool {
+        self.rest & mark != 0
+    }
+
+    fn part(&self) -> usize {
+        (self.rest >> 2) as usize
+    }
 }
 
 /// A contact within the frame, by what it is sorted by.
@@ -50,17 +61,6 @@ pub(super) struct Found {
 struct Late {
     time: f64,
     found: Found,
-}
-
-impl Found {
-    /// The slots as the contact names them.
-    fn order(&self) -> u64 {
-        if self.turned {
-            self.pair.rotate_left(32)
-        } else {
-            self.pair
-        }
-    }
 }
 
 impl Findings {
@@ -74,15 +74,13 @@ impl Findings {
 
     /// Adds a contact; `is_placed` tells whether one of its bodies was put where it is.
     pub(super) fn push(&mut self, contact: Contact, is_placed: bool) {
-        let (a, b) = (contact.a.slot, contact.b.slot);
         let overlaps = matches!(contact.kind, ContactKind::Overlap { .. });
+        let mark = |is: bool, mark: u32| if is { mark } else { 0 };
         self.keys.push(Found {
-            pair: key(a, b),
-            part: 0,
+            order: u64::from(contact.a.slot) << 32 | u64::from(contact.b.slot),
             index: self.contacts.len() as u32,
-            turned: a > b,
-            at_start: contact.fraction <= 0.0,
-            drifted: overlaps && !is_placed,
+            rest: mark(contact.fraction <= 0.0, Found::AT_START)
+                | mark(overlaps && !is_placed, Found::DRIFTED),
         });
         self.contacts.push(contact);
     }
@@ -92,9 +90,12 @@ impl Findings {
     pub(super) fn append(&mut self, other: Self) {
         debug_assert!(other.parts.is_empty(), "parts have no parts");
         self.parts.push(other.contacts);
-        let part = self.parts.len() as u32;
-        self.keys
-            .extend(other.keys.iter().map(|found| Found { part, ..*found }));
+        let part = (self.parts.len() as u32) << 2;
+        let found = other.keys.iter().map(|found| Found {
+            rest: part | found.rest,
+            ..*found
+        });
+        self.keys.extend(found);
         self.resting.extend_from_slice(&other.resting);
         self.effort.stretches += other.effort.stretches;
         self.effort.rays += other.effort.rays;
@@ -110,71 +111,96 @@ impl Findings {
             + self.resting.capacity() * size_of::<PairKey>()
     }
 
-    fn list(&self, part: u32) -> &[Contact] {
+    fn list(&self, part: usize) -> &[Contact] {
         match part.checked_sub(1) {
             None => &self.contacts,
-            Some(part) => self.parts.get(part as usize).map_or(&[], Vec::as_slice),
+            Some(part) => self.parts.get(part).map_or(&[], Vec::as_slice),
         }
     }
 
     fn contact(&self, found: &Found) -> Option<&Contact> {
-        self.list(found.part).get(found.index as usize)
+        self.list(found.part()).get(found.index as usize)
     }
 
     fn contact_mut(&mut self, found: &Found) -> Option<&mut Contact> {
-        let list = match found.part.checked_sub(1) {
+        let list = match found.part().checked_sub(1) {
             None => &mut self.contacts,
-            Some(part) => self.parts.get_mut(part as usize)?,
+            Some(part) => self.parts.get_mut(part)?,
         };
         list.get_mut(found.index as usize)
     }
 
     /// Sorts the contacts into `sorted`: by time, then by ids.
     ///
-    /// `met` are the pairs with a contact in the frame before, sorted.
+    /// `met` are the pairs with a contact in the frame before, as contacts name them, sorted.
     pub(super) fn sort_into(&mut self, sorted: &mut Vec<Contact>, met: &[PairKey]) {
-        let mut keys = std::mem::take(&mut self.keys);
-        sort_by_slots((&mut keys, &mut self.spare), |found| found.pair);
+        self.sort_keys();
+        let keys = std::mem::take(&mut self.keys);
         // Both lists are sorted: one pass tells which pairs are in both.
-        let mut met = met.iter().peekable();
-        for found in &keys {
-            while met.next_if(|&&pair| pair < found.pair).is_some() {}
-            let is_new = met.peek().is_none_or(|&&pair| pair != found.pair);
+        let mut before = met.iter().peekable();
+        for found in keys.iter().filter(|found| found.is(Found::DRIFTED)) {
+            while before.next_if(|&&pair| pair < found.order).is_some() {}
+            let is_new = before.peek().is_none_or(|&&pair| pair != found.order);
+            // A pair changes its order if one of its bodies stops or sets out.
+            let turned = found.order.rotate_left(32);
             // Apart a frame ago, and moved into each other since: that they met
             // was overlooked by rounding, or by too few rays, and is told now.
-            if found.drifted
-                && is_new
+            if is_new
+                && met.binary_search(&turned).is_err()
                 && let Some(contact) = self.contact_mut(found)
             {
                 contact.kind = ContactKind::Touch;
             }
         }
-        if keys.iter().any(|found| found.turned) {
-            sort_by_slots((&mut keys, &mut self.spare), Found::order);
-        }
         // Most contacts of a crowd are overlaps as the frame begins, and in order now.
         let mut late = std::mem::take(&mut self.late);
         late.clear();
-        late.extend(
-            keys.iter()
-                .filter(|found| !found.at_start)
-                .filter_map(|&found| {
-                    let time = self.contact(&found)?.time;
-                    Some(Late { time, found })
-                }),
-        );
+        let is_late = |found: &&Found| !found.is(Found::AT_START);
+        late.extend(keys.iter().filter(is_late).filter_map(|&found| {
+            let time = self.contact(&found)?.time;
+            Some(Late { time, found })
+        }));
         late.sort_unstable_by(|a, b| {
-            let order = |late: &Late| late.found.order();
-            a.time
-                .total_cmp(&b.time)
-                .then_with(|| order(a).cmp(&order(b)))
+            let by_time = a.time.total_cmp(&b.time);
+            by_time.then(a.found.order.cmp(&b.found.order))
         });
         self.spare.clear();
-        self.spare
-            .extend(keys.iter().filter(|found| found.at_start));
+        let at_start = keys.iter().filter(|found| found.is(Found::AT_START));
+        self.spare.extend(at_start);
         self.spare.extend(late.iter().map(|late| late.found));
         self.gather(sorted);
         (self.keys, self.late) = (keys, late);
+    }
+
+    /// Sorts the keys by slots.
+    ///
+    /// Pairs that are kept from frame to frame are in order, and come first; those
+    /// of bodies that are new follow.
+    fn sort_keys(&mut self) {
+        let keys = &mut self.keys;
+        let in_order = keys.windows(2).position(|pair| match pair {
+            [one, next] => next.order < one.order,
+            _ => false,
+        });
+        let Some(end) = in_order.map(|last| last + 1) else {
+            return;
+        };
+        if 4 * (keys.len() - end) > keys.len() {
+            sort_by_slots((keys, &mut self.spare), |found| found.order);
+            return;
+        }
+        let (kept, new) = keys.split_at_mut(end);
+        new.sort_unstable_by_key(|found| found.order);
+        self.spare.clear();
+        let mut kept = kept.iter().peekable();
+        for found in new {
+            while let Some(before) = kept.next_if(|other| other.order < found.order) {
+                self.spare.push(*before);
+            }
+            self.spare.push(*found);
+        }
+        self.spare.extend(kept);
+        std::mem::swap(&mut self.keys, &mut self.spare);
     }
 
     /// The contacts in the order in which their keys lie in the spare room.
@@ -183,7 +209,7 @@ impl Findings {
         if self.spare.len() > 2 * GATHERED && rayon::current_num_threads() > 1 {
             use rayon::prelude::*;
             let found = self.spare.par_iter().with_min_len(GATHERED);
-            let contact = |found: &Found| self.list(found.part)[found.index as usize];
+            let contact = |found: &Found| self.list(found.part())[found.index as usize];
             found.map(contact).collect_into_vec(sorted);
             return;
         }
@@ -198,10 +224,12 @@ impl Findings {
         met.clear();
         let counts = |found: &&Found| {
             let is_soon = |contact: &Contact| contact.fraction <= until;
-            found.at_start || until >= 1.0 || self.contact(found).is_some_and(is_soon)
+            found.is(Found::AT_START) || until >= 1.0 || self.contact(found).is_some_and(is_soon)
         };
-        met.extend(self.keys.iter().filter(counts).map(|found| found.pair));
-        met.extend_from_slice(&self.resting);
+        met.extend(self.keys.iter().filter(counts).map(|found| found.order));
+        // Whichever order they are named in.
+        let turned = self.resting.iter().map(|pair| pair.rotate_left(32));
+        met.extend(self.resting.iter().copied().chain(turned));
         if !met.is_sorted() {
             met.sort_unstable();
         }

@@ -1,7 +1,7 @@
 //! Which candidate pairs are examined.
 
 use crate::broad_phase::{Leaf, LeafId};
-use crate::early_out::RejectionCounts;
+use crate::early_out::{Rejection, RejectionCounts};
 use crate::world::BodyId;
 use crate::world::slots::Slots;
 use crate::world::tracks::{Span, Track};
@@ -14,7 +14,7 @@ pub(super) struct Gate<'a> {
     pub(super) slots: &'a Slots,
     pub(super) keep: Keep<'a>,
     pub(super) span: Span,
-    /// For how long pairs are found: the frame, or more.
+    /// What pairs are found for: the frame, or a longer time that began with it or before.
     pub(super) ahead: Span,
 }
 
@@ -58,40 +58,79 @@ impl Gate<'_> {
         self.ahead.dt > self.span.dt
     }
 
-    /// Whether a pair that has just been found is to be kept: whether it may meet before pairs
-    /// are found anew.
+    /// The end of the frame, as a share of the time ahead, rounded up.
+    pub(super) fn now(&self) -> f32 {
+        let (begin, end) = (self.ahead.time, self.span.time + self.span.dt);
+        // By the clock, of which elapsed times are rounded parts.
+        let all = begin + self.ahead.dt - begin;
+        let rounding = 1e-6 + 8.0 * f64::EPSILON * end / all;
+        let share = ((end - begin) / all + rounding) as f32;
+        // A frame too short for the clock.
+        if share.is_finite() {
+            share
+        } else {
+            f32::INFINITY
+        }
+    }
+
+    /// When a pair that has just been found may meet for the first time before pairs are found
+    /// anew, as a share of the time ahead, rounded down.
     #[inline]
     pub(super) fn may_meet(
         &self,
         a: &Leaf<'_, Track>,
         b: &Leaf<'_, Track>,
         passed: &mut Passed,
-    ) -> bool {
-        let rejection = a.data.reject_ahead(b.data, self.ahead);
-        if let Some(rejection) = rejection
-            && a.data.groups.meets(b.data.groups)
-        {
-            passed.seen += 1;
-            passed.dismissed += 1;
-            passed.rejected.count(rejection);
+    ) -> Option<f32> {
+        match a.data.meets_ahead(b.data, self.ahead) {
+            Ok(fraction) => Some((fraction - 1e-6) as f32),
+            Err(rejection) => {
+                if a.data.groups.meets(b.data.groups) {
+                    passed.seen += 1;
+                    passed.dismissed += 1;
+                    passed.rejected.count(rejection);
+                }
+                None
+            }
         }
-        rejection.is_none()
     }
 
+    /// Lets a pair through if it may meet in the frame; answers whether it may still meet in
+    /// the time ahead.
     #[inline]
-    pub(super) fn pass(&self, a: &Leaf<'_, Track>, b: &Leaf<'_, Track>, passed: &mut Passed) {
+    pub(super) fn pass(
+        &self,
+        a: &Leaf<'_, Track>,
+        b: &Leaf<'_, Track>,
+        passed: &mut Passed,
+    ) -> bool {
         if !a.data.groups.meets(b.data.groups) {
-            return;
+            return false;
         }
         passed.seen += 1;
         match a.data.reject(b.data, self.span) {
-            Some(rejection) => passed.rejected.count(rejection),
-            None if self.keeps(a.slot, b.slot) => {
-                passed.count += 1;
-                passed.pairs.push((a.id, b.id));
+            Some(rejection) => {
+                passed.rejected.count(rejection);
+                rejection != Rejection::MovingAway || self.meets_later(a, b)
             }
-            None => {}
+            None => {
+                if self.keeps(a.slot, b.slot) {
+                    passed.count += 1;
+                    passed.pairs.push((a.id, b.id));
+                }
+                true
+            }
         }
+    }
+
+    /// Whether bodies that part in the frame may meet afterwards, by rounding.
+    fn meets_later(&self, a: &Leaf<'_, Track>, b: &Leaf<'_, Track>) -> bool {
+        let end = self.ahead.time + self.ahead.dt;
+        let rest = Span {
+            dt: end - self.span.time,
+            ..self.span
+        };
+        rest.dt <= self.span.dt || a.data.meets_ahead(b.data, rest).is_ok()
     }
 
     #[inline]

@@ -27,6 +27,8 @@ const PATIENCE: u32 = 32;
 pub(super) struct Horizon {
     /// By the world's clock; before any time if there is no horizon.
     until: f64,
+    /// What was looked ahead to as it began.
+    ahead: Span,
     frames: u32,
     /// Steps since it began.
     steps: u32,
@@ -47,6 +49,7 @@ impl Default for Horizon {
     fn default() -> Self {
         Self {
             until: f64::NEG_INFINITY,
+            ahead: Span::at(0.0),
             frames: 1,
             steps: 0,
             restless: 0,
@@ -108,7 +111,13 @@ impl Horizon {
         } else {
             f64::NEG_INFINITY
         };
-        Span { dt, ..span }
+        self.ahead = Span { dt, ..span };
+        self.ahead
+    }
+
+    /// What was looked ahead to as the present horizon began.
+    pub(super) fn ahead(&self) -> Span {
+        self.ahead
     }
 
     fn shorten(&mut self) {

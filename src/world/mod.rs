@@ -57,7 +57,6 @@ mod looks;
 mod pair;
 mod portions;
 mod queries;
-mod radix;
 mod slots;
 mod solver;
 mod stats;

@@ -52,5 +52,5 @@ fn pass(gate: &Gate<'_>, pairs: &mut Portion<'_, Track>, passed: &mut Passed) {
     if pairs.is_new() && gate.looks_ahead() {
         pairs.retain(Track::touch, |a, b| gate.may_meet(a, b, passed));
     }
-    pairs.for_each(Track::touch, |a, b| gate.pass(&a, &b, passed));
+    pairs.for_each((Track::touch, gate.now()), |a, b| gate.pass(&a, &b, passed));
 }

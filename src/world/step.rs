@@ -221,8 +221,7 @@ impl CollisionWorld {
         let by_boxes = self.config.broad_phase == BroadPhase::Bvh;
         let ahead = if by_boxes && self.horizon.holds(span) {
             self.bvh.renew(|track| track.swept(span));
-            // Only pairs of bodies that are new have to be found, and those in every frame.
-            span
+            self.horizon.ahead()
         } else {
             let may_last = by_boxes && self.on_paths.is_empty();
             let ahead = self.horizon.begin(span, self.slots.len(), may_last);

@@ -206,10 +206,10 @@ impl Track {
         early_out::reject(b - a, motion_a - motion_b, reach)
     }
 
-    /// Whether two bodies cannot touch in any frame of a time ahead, for all that these
-    /// are rounded otherwise.
+    /// When two bodies may touch first in any frame of a time ahead, for all that these are
+    /// rounded otherwise: as a share of that time, right to 1e-7; or why they cannot.
     #[inline]
-    pub(super) fn reject_ahead(&self, other: &Self, ahead: Span) -> Option<Rejection> {
+    pub(super) fn meets_ahead(&self, other: &Self, ahead: Span) -> Result<f64, Rejection> {
         let ((a, motion_a), (b, motion_b)) = (self.flight(ahead), other.flight(ahead));
         let far = (a.abs().max(b.abs()) + motion_a.abs().max(motion_b.abs())).max_element();
         let begun = self.centre.abs().max(other.centre.abs()).max_element();
@@ -217,7 +217,22 @@ impl Track {
         // What comes as near as this counts as touching.
         let touch = 4.0 * TOUCH * (reach + far);
         let rounding = 64.0 * f64::EPSILON * (far + begun);
-        early_out::reject(b - a, motion_a - motion_b, reach + (touch + rounding))
+        let (between, motion, reach) = (b - a, motion_a - motion_b, reach + (touch + rounding));
+        if let Some(rejection) = early_out::reject(between, motion, reach) {
+            return Err(rejection);
+        }
+        // The first root of |between − f · motion| = reach, in the form that divides by
+        // a sum; with a reach so much larger that what rounding does to it is covered.
+        let apart = between.length_squared() - reach * reach * (1.0 + 1e-8);
+        let closing = between.dot(motion);
+        let square = closing * closing - motion.length_squared() * apart;
+        let fraction = apart / (closing + square.max(0.0).sqrt());
+        // They overlap, or it cannot be told: at once.
+        Ok(if apart > 0.0 && fraction > 0.0 {
+            fraction * (1.0 - 1e-7)
+        } else {
+            0.0
+        })
     }
 
     /// Whether a ray surely passes the sphere by where it is at `time`, up to fraction `until`.

@@ -5,14 +5,31 @@ use super::bounds::Bounds;
 use super::forest::{Leaf, LeafId};
 use super::tree::{Mobility, NOBODY, Tree};
 
+/// Leaves of two trees, or of one, whose boxes overlap.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Listed {
+    pub(super) a: u32,
+    pub(super) b: u32,
+    /// Of no interest before this; see [`Portion::for_each`].
+    pub(super) wait: f32,
+}
+
+impl Listed {
+    pub(super) fn new(a: u32, b: u32) -> Self {
+        let wait = f32::NEG_INFINITY;
+        Self { a, b, wait }
+    }
+}
+
 /// Some of the pairs that a [`Bvh`](super::Bvh) finds.
 #[derive(Debug)]
 pub struct Portion<'a, T> {
     trees: [&'a Tree<T>; 2],
     numbers: [u32; 2],
-    pairs: &'a mut [(u32, u32)],
+    pairs: &'a mut [Listed],
     /// So many of them are left.
     len: usize,
+    order: Order<'a>,
     is_new: bool,
 }
 
@@ -31,14 +48,51 @@ fn body<T>(tree: &Tree<T>, number: u32, leaf: u32) -> Option<Leaf<'_, T>> {
     })
 }
 
+/// Which body of a pair of two trees comes first: the moving one, of two moving ones
+/// that of the lower slot.
+#[derive(Debug)]
+pub(super) struct Order<'a> {
+    leaves: [&'a [u32]; 2],
+    both_move: bool,
+    fixed_first: bool,
+}
+
+impl<'a> Order<'a> {
+    pub(super) fn new<T>(a: &'a Tree<T>, b: &'a Tree<T>) -> Self {
+        let both_move = a.mobility == b.mobility;
+        Self {
+            leaves: [&a.leaves, &b.leaves],
+            both_move,
+            fixed_first: !both_move && a.mobility == Mobility::Fixed,
+        }
+    }
+
+    #[inline]
+    fn swaps(&self, a: u32, b: u32) -> bool {
+        self.fixed_first || self.both_move && b < a
+    }
+
+    /// The slots of the bodies of two leaves, as one number to sort by.
+    pub(super) fn key(&self, pair: &Listed) -> u64 {
+        let slot = |side: usize, leaf: u32| {
+            let slot = self.leaves[side].get(leaf as usize);
+            slot.copied().unwrap_or(NOBODY)
+        };
+        let (a, b) = (slot(0, pair.a), slot(1, pair.b));
+        let (first, second) = if self.swaps(a, b) { (b, a) } else { (a, b) };
+        u64::from(first) << 32 | u64::from(second)
+    }
+}
+
 impl<'a, T: Copy> Portion<'a, T> {
     pub(super) fn new(
         trees: &'a [Tree<T>],
         [a, b]: [usize; 2],
-        pairs: &'a mut [(u32, u32)],
+        pairs: &'a mut [Listed],
         is_new: bool,
     ) -> Option<Self> {
         Some(Self {
+            order: Order::new(trees.get(a)?, trees.get(b)?),
             trees: [trees.get(a)?, trees.get(b)?],
             numbers: [a as u32, b as u32],
             len: pairs.len(),
@@ -71,46 +125,82 @@ impl<'a, T: Copy> Portion<'a, T> {
     /// memory twice for each; reads that nothing depends on are waited for together. On
     /// 100 000 balls that makes the early-outs twice as fast.
     #[inline]
-    fn read(&self, pairs: &[(u32, u32)], touch: impl Fn(&T) -> f64) {
+    fn read<'p>(&self, pairs: impl Iterator<Item = &'p Listed>, touch: impl Fn(&T) -> f64) {
         let side = |side: usize, leaf: u32| {
             let data = self.trees[side].data.get(leaf as usize);
             data.map_or(0.0, &touch)
         };
-        let read = |sum: f64, &(a, b): &(u32, u32)| sum + side(0, a) + side(1, b);
+        let read = |sum: f64, pair: &Listed| sum + side(0, pair.a) + side(1, pair.b);
         // So that it is not left out for being of no use.
-        std::hint::black_box(pairs.iter().fold(0.0, read));
+        std::hint::black_box(pairs.fold(0.0, read));
     }
 
-    /// Leaves out, now and for as long as they would be kept, the pairs that `keep`
-    /// answers false for.
+    /// Leaves out, now and for as long as they would be kept, the pairs that `when` has no
+    /// answer for; the others wait for the number it answers with: see
+    /// [`for_each`](Self::for_each).
     ///
     /// `touch` reads a little of what is known of a body.
     #[inline]
     pub fn retain(
         &mut self,
         touch: impl Fn(&T) -> f64,
-        mut keep: impl FnMut(&Leaf<'a, T>, &Leaf<'a, T>) -> bool,
+        mut when: impl FnMut(&Leaf<'a, T>, &Leaf<'a, T>) -> Option<f32>,
     ) {
         let mut kept = 0;
         for from in (0..self.len).step_by(AHEAD) {
             let until = self.len.min(from + AHEAD);
-            self.read(self.pairs.get(from..until).unwrap_or_default(), &touch);
+            let pairs = self.pairs.get(from..until).unwrap_or_default();
+            self.read(pairs.iter(), &touch);
             for index in from..until {
-                let Some(&(a, b)) = self.pairs.get(index) else {
-                    break;
-                };
-                let leaf_a = body(self.trees[0], self.numbers[0], a);
-                let leaf_b = body(self.trees[1], self.numbers[1], b);
-                if let (Some(leaf_a), Some(leaf_b)) = (leaf_a, leaf_b)
-                    && keep(&leaf_a, &leaf_b)
+                if let Some(&pair) = self.pairs.get(index)
+                    && let Some((a, b)) = self.leaves(&pair)
+                    && let Some(wait) = when(&a, &b)
                     && let Some(place) = self.pairs.get_mut(kept)
                 {
-                    *place = (a, b);
+                    *place = Listed { wait, ..pair };
                     kept += 1;
                 }
             }
         }
         self.len = kept;
+    }
+
+    /// The pairs that do not wait for a number beyond `now`, as [`iter`](Self::iter) gives
+    /// them; those that `visit` answers false for are not visited again.
+    ///
+    /// `touch` reads a little of what is known of a body.
+    #[inline]
+    pub fn for_each(
+        &mut self,
+        (touch, now): (impl Fn(&T) -> f64, f32),
+        mut visit: impl FnMut(Leaf<'a, T>, Leaf<'a, T>) -> bool,
+    ) {
+        let mut due = [0_u32; AHEAD];
+        for from in (0..self.len).step_by(AHEAD) {
+            let until = self.len.min(from + AHEAD);
+            let mut count = 0;
+            for (index, pair) in
+                (from as u32..).zip(self.pairs.get(from..until).unwrap_or_default())
+            {
+                // Written in any case, and overwritten if it is not due: no branch.
+                due[count % AHEAD] = index;
+                count += usize::from(pair.wait <= now);
+            }
+            let due = due.get(..count).unwrap_or_default();
+            let pairs = due
+                .iter()
+                .filter_map(|&index| self.pairs.get(index as usize));
+            self.read(pairs, &touch);
+            for &index in due {
+                if let Some(&pair) = self.pairs.get(index as usize)
+                    && let Some((a, b)) = self.leaves(&pair)
+                    && !visit(a, b)
+                    && let Some(pair) = self.pairs.get_mut(index as usize)
+                {
+                    pair.wait = f32::INFINITY;
+                }
+            }
+        }
     }
 
     /// The body kept there, if it is of these pairs.
@@ -126,38 +216,21 @@ impl<'a, T: Copy> Portion<'a, T> {
         })
     }
 
-    /// The same pairs as [`iter`](Self::iter) gives, of bodies that have been read ahead:
-    /// `touch` reads a little of what is known of one.
-    #[inline]
-    pub fn for_each(
-        &self,
-        touch: impl Fn(&T) -> f64,
-        mut visit: impl FnMut(Leaf<'a, T>, Leaf<'a, T>),
-    ) {
-        for pairs in self.pairs.get(..self.len).unwrap_or_default().chunks(AHEAD) {
-            self.read(pairs, &touch);
-            self.leaves(pairs).for_each(|(a, b)| visit(a, b));
-        }
-    }
-
     /// The pairs: the moving body first, of two moving ones the lower slot.
     #[inline]
     pub fn iter(&self) -> impl Iterator<Item = (Leaf<'a, T>, Leaf<'a, T>)> {
-        self.leaves(self.pairs.get(..self.len).unwrap_or_default())
+        let pairs = self.pairs.get(..self.len).unwrap_or_default();
+        pairs.iter().filter_map(|pair| self.leaves(pair))
     }
 
     #[inline]
-    fn leaves<'p>(
-        &self,
-        pairs: &'p [(u32, u32)],
-    ) -> impl Iterator<Item = (Leaf<'a, T>, Leaf<'a, T>)> + use<'a, 'p, T> {
-        let ([tree_a, tree_b], numbers) = (self.trees, self.numbers);
-        let both_move = tree_a.mobility == tree_b.mobility;
-        let fixed_first = !both_move && tree_a.mobility == Mobility::Fixed;
-        pairs.iter().filter_map(move |&(a, b)| {
-            let (a, b) = (body(tree_a, numbers[0], a)?, body(tree_b, numbers[1], b)?);
-            let swap = fixed_first || both_move && b.slot < a.slot;
-            Some(if swap { (b, a) } else { (a, b) })
+    fn leaves(&self, pair: &Listed) -> Option<(Leaf<'a, T>, Leaf<'a, T>)> {
+        let a = body(self.trees[0], self.numbers[0], pair.a)?;
+        let b = body(self.trees[1], self.numbers[1], pair.b)?;
+        Some(if self.order.swaps(a.slot, b.slot) {
+            (b, a)
+        } else {
+            (a, b)
         })
     }
 }

@@ -2,7 +2,7 @@
 
 use super::Bvh;
 use super::lists::{List, PORTION};
-use super::pairs::{Job, Portion, across};
+use super::pairs::{Job, Listed, Portion, across};
 use super::tree::Tree;
 use rayon::prelude::*;
 
@@ -14,12 +14,12 @@ const JOBS: usize = 256;
 const LEAVES: usize = 32;
 
 /// What was found out, of which pairs, by how many tests.
-type Part<S> = (S, Vec<(u32, u32)>, u64);
+type Part<S> = (S, Vec<Listed>, u64);
 
 /// What is found out of some pairs, and how many of them are left.
 fn told<T: Copy, S: Default>(
     (trees, numbers): (&[Tree<T>], [usize; 2]),
-    (pairs, is_new): (&mut [(u32, u32)], bool),
+    (pairs, is_new): (&mut [Listed], bool),
     visit: impl Fn(&mut Portion<'_, T>, &mut S),
 ) -> (S, usize) {
     let mut answer = S::default();
@@ -44,6 +44,7 @@ impl<T: Copy + Send + Sync> Bvh<T> {
         let mut answers = Vec::new();
         let trees = &self.trees;
         for list in self.lists.kept() {
+            list.arrange(trees);
             let numbers = list.trees;
             let parts: Vec<(S, usize)> = list
                 .pairs
@@ -64,7 +65,7 @@ impl<T: Copy + Send + Sync> Bvh<T> {
                     continue;
                 };
                 let of = (self.trees.as_slice(), [a, b]);
-                let found_part = |mut found: Vec<(u32, u32)>, tests: u64| -> Part<S> {
+                let found_part = |mut found: Vec<Listed>, tests: u64| -> Part<S> {
                     let (answer, left) = told(of, (&mut found, true), &visit);
                     found.truncate(left);
                     (answer, found, tests)
@@ -77,11 +78,12 @@ impl<T: Copy + Send + Sync> Bvh<T> {
                             let some = part * LEAVES..leaves.min((part + 1) * LEAVES);
                             let mut found = Vec::new();
                             let tests = across(both, some, |large, small| {
-                                found.push(if turned {
+                                let (a, b) = if turned {
                                     (small, large)
                                 } else {
                                     (large, small)
-                                });
+                                };
+                                found.push(Listed::new(a, b));
                             });
                             found_part(found, tests)
                         })
@@ -99,7 +101,9 @@ impl<T: Copy + Send + Sync> Bvh<T> {
                 while !jobs.is_empty() && jobs.len() < JOBS {
                     opened.clear();
                     for job in &jobs {
-                        tests += job.step(&self.trees, &mut opened, |a, b| found.push((a, b)));
+                        tests += job.step(&self.trees, &mut opened, |a, b| {
+                            found.push(Listed::new(a, b))
+                        });
                     }
                     std::mem::swap(&mut jobs, &mut opened);
                 }
@@ -111,7 +115,7 @@ impl<T: Copy + Send + Sync> Bvh<T> {
                     .par_chunks(chunk)
                     .map(|jobs| {
                         let mut found = Vec::new();
-                        let mut pair = |a, b| found.push((a, b));
+                        let mut pair = |a, b| found.push(Listed::new(a, b));
                         let run = |job: &Job| job.run(&self.trees, &mut pair);
                         let tests = jobs.iter().map(run).sum();
                         found_part(found, tests)

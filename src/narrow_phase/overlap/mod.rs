@@ -11,6 +11,7 @@ mod boxes;
 mod enclose;
 mod expand;
 mod faces;
+mod few;
 mod hull;
 mod order;
 mod pair;

@@ -79,7 +79,9 @@ impl Peer {
             let to = from + grain.velocity * dt;
             let (low, high) = (from.min(to), from.max(to));
             let aabb = Aabb::new(low + grain.around.mins, high + grain.around.maxs);
-            self.bvh.insert_or_update_partially(aabb, index, 0.0);
+            // Changes are noted only where there is a margin.
+            let margin = if self.all_move { 0.0 } else { 1e-6 };
+            self.bvh.insert_or_update_partially(aabb, index, margin);
         }
         self.bvh.refit(&mut self.workspace);
         self.bvh.optimize_incremental(&mut self.workspace);

@@ -11,7 +11,7 @@ const DIGIT: u32 = 11;
 ///
 /// Digit by digit, from the last: some 2 ns an item and pass, four passes where there
 /// are 100 000 slots, no branch that depends on the items.
-pub(super) fn sort_by_slots<T: Copy>(
+pub(crate) fn sort_by_slots<T: Copy>(
     (items, spare): (&mut Vec<T>, &mut Vec<T>),
     key: impl Fn(&T) -> u64,
 ) {
