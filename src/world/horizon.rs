@@ -88,8 +88,9 @@ impl Horizon {
         let is_calm = self.restless <= bodies * steps / 64;
         if !may_last || !is_calm {
             (self.frames, self.shorter) = (1, f64::INFINITY);
-        } else if self.frames > 1 && self.cost > self.shorter {
-            // The longer one did not pay.
+        } else if self.frames > 1 && (self.cost > self.shorter || 2 * steps <= self.frames as usize)
+        {
+            // The longer one did not pay, or was cut off half way by bodies that turned.
             self.shorten();
             self.patience = PATIENCE;
         } else if self.patience > 0 {

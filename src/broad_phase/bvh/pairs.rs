@@ -427,7 +427,7 @@ pub(super) fn across<T: Copy + Sync>(
         if tree.leaves.get(leaf).is_some_and(|&slot| slot != NOBODY) {
             let bounds = tree.leaf(leaf);
             tests += below(large, level, 0, &bounds, &mut |found| {
-                pair(found, leaf as u32)
+                pair(found, leaf as u32);
             });
         }
     }

@@ -102,7 +102,7 @@ impl<T: Copy + Send + Sync> Bvh<T> {
                     opened.clear();
                     for job in &jobs {
                         tests += job.step(&self.trees, &mut opened, |a, b| {
-                            found.push(Listed::new(a, b))
+                            found.push(Listed::new(a, b));
                         });
                     }
                     std::mem::swap(&mut jobs, &mut opened);

@@ -96,13 +96,14 @@ pub(super) struct Arc {
 }
 
 impl Arc {
+    #[inline]
     pub(super) fn crossing(&self, other: &Self) -> Option<DVec3> {
         let [a, b] = self.ends;
         let [c, d] = other.ends;
-        let (c_side, d_side) = (c.dot(self.along), d.dot(self.along));
-        let (a_side, b_side) = (a.dot(other.along), b.dot(other.along));
         // Both ends of each on opposite sides of the other's plane.
-        if c_side * d_side > CROSSING || a_side * b_side > CROSSING {
+        if c.dot(self.along) * d.dot(self.along) > CROSSING
+            || a.dot(other.along) * b.dot(other.along) > CROSSING
+        {
             return None;
         }
         let cross = self.along.cross(other.along);

@@ -57,7 +57,7 @@ impl<'a> Side<'a> {
             }
         }
         // A centre outside the hull, where distances to planes tell nothing; or a NaN.
-        if !(side.inner >= 0.0) {
+        if side.inner < 0.0 || side.inner.is_nan() {
             side.inner = -hull.radius;
         }
         side
@@ -72,23 +72,35 @@ impl<'a> Side<'a> {
         height.copied().unwrap_or(f64::INFINITY)
     }
 
-    /// The arcs of edges that reach above `floor`, and how many they are.
-    fn arcs(&self, floor: f64) -> ([Arc; EDGES], usize) {
-        let mut arcs = [Arc::default(); EDGES];
+    /// The arcs of edges that may be no wider than `most` somewhere.
+    ///
+    /// Along an arc the hull's support is a point of its edge, whose distance from `base`
+    /// is what the pair is wide beside the ball in the `other` hull.
+    fn arcs<'r>(
+        &self,
+        (sign, base): (f64, DVec3),
+        (other, most): (f64, f64),
+        arcs: &'r mut [Arc; EDGES],
+    ) -> &'r [Arc] {
         let mut count = 0;
         for edge in self.hull.edges() {
+            let point = self.hull.point(edge.vertices[0]);
             let [left, right] = edge.faces.map(|face| self.normal(face));
-            let [low, high] = edge.faces.map(|face| self.height(face));
+            let from = sign * (point - base);
+            let lower = from.dot(left).min(from.dot(right));
             // On the arc between two unit vectors p and q lies αp + βq with α and β of
-            // one sign and α + β at most 2/|p + q|.
-            let most = low.max(high).max(0.0) * 2.0 / (left + right).length();
-            if most < floor {
+            // one sign and α + β between 1 and 2/|p + q|.
+            let least = if lower < 0.0 {
+                lower * 2.0 / (left + right).length()
+            } else {
+                lower
+            };
+            if least + other > most {
                 continue;
             }
             if let Some(along) = unit(self.hull.edge_vector(edge))
                 && let Some(place) = arcs.get_mut(count)
             {
-                let point = self.hull.point(edge.vertices[0]);
                 *place = Arc {
                     point,
                     along,
@@ -97,37 +109,48 @@ impl<'a> Side<'a> {
                 count += 1;
             }
         }
-        (arcs, count)
+        arcs.get(..count).unwrap_or_default()
     }
 }
 
-/// The least width over all directions; none if rounding left no direction at all.
+/// The least width over all directions, or one of no more than touch if there is such a
+/// one; none if rounding left no direction at all.
 ///
-/// Along `d` the pair is at least as wide as the balls in the two hulls are,
-/// `inner − offset · d`. So `d` need not be looked at where that is more than
-/// what has been found, and that is at most the width along the offset itself.
+/// Along `d` the pair is at least as wide as the balls in the two hulls are, which is
+/// `inner − offset · d`. So `d` need not be looked at where that is more than what has been
+/// found, or more than the width along the offset itself; and arcs not where that is so of
+/// the edge and the ball in the other hull.
 pub(super) fn least(pair: &Pair) -> Option<Width> {
-    let a = Side::new(&pair.a, pair.offset, -1.0, pair.offset);
-    let b = Side::new(&pair.b, DVec3::ZERO, 1.0, pair.offset);
     let between = unit(pair.offset).map(|direction| pair.width(direction));
     let first = between.map_or(f64::INFINITY, |between| between.width);
+    if first <= pair.touch {
+        // Apart; any direction will do.
+        return between;
+    }
+    let a = Side::new(&pair.a, pair.offset, -1.0, pair.offset);
+    let b = Side::new(&pair.b, DVec3::ZERO, 1.0, pair.offset);
     let mut least = Least::new(pair);
-    let margin = a.inner + b.inner - 4.0 * pair.rounding();
-    let floor = |least: &Least| {
+    let most = |least: &Least| {
         let best = least.best.map_or(first, |best| best.width.min(first));
-        margin - best
+        best + 4.0 * pair.rounding()
     };
+    let balls = a.inner + b.inner;
     for side in [&a, &b] {
         for face in 0..side.hull.face_count() {
-            if side.height(face) >= floor(&least) {
+            if balls - side.height(face) <= most(&least) {
                 least.show(side.normal(face));
             }
         }
     }
-    let floor = floor(&least);
-    let ((arcs_a, count_a), (arcs_b, count_b)) = (a.arcs(floor), b.arcs(floor));
-    for a in arcs_a.iter().take(count_a) {
-        for b in arcs_b.iter().take(count_b) {
+    if least.best.is_some_and(|best| best.width <= pair.touch) {
+        return least.best;
+    }
+    let most = most(&least);
+    let (mut arcs_a, mut arcs_b) = ([Arc::default(); EDGES], [Arc::default(); EDGES]);
+    let arcs_a = a.arcs((-1.0, DVec3::ZERO), (b.inner, most), &mut arcs_a);
+    let arcs_b = b.arcs((1.0, pair.offset), (a.inner, most), &mut arcs_b);
+    for a in arcs_a {
+        for b in arcs_b {
             if let Some(direction) = a.crossing(b)
                 && least.beats((b.point - a.point).dot(direction))
             {
