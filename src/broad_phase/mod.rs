@@ -18,7 +18,7 @@ mod pair_list;
 mod rays;
 
 pub use axes::obb_overlap_by_axes;
-pub use bvh::{Bvh, Leaf, LeafId, Portion};
+pub use bvh::{Bvh, Leaf, LeafId, Moment, Portion, View};
 pub use config::{BroadPhase, ObbTest};
 pub use frame_pairs::{Flight, FrameBox, FramePairs};
 pub use pair_list::{PairList, Volume};

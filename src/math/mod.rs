@@ -5,3 +5,4 @@ pub(crate) mod data;
 pub(crate) mod domain;
 pub(crate) mod exact;
 pub(crate) mod frame;
+pub(crate) mod radix;

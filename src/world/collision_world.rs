@@ -5,9 +5,10 @@ use crate::error::{BodyError, ConfigError};
 use crate::geometry::{Pose, Shape};
 use crate::motion::{FrameMotion, Motion};
 use crate::tolerance::touch_tolerance;
-use crate::world::finding::{Findings, PairKey};
+use crate::world::findings::{Findings, PairKey};
 use crate::world::gate::Passed;
 use crate::world::horizon::Horizon;
+use crate::world::looks::Looks;
 use crate::world::slots::{Resident, Slots};
 use crate::world::solver::Solver;
 use crate::world::stirred::Stirred;
@@ -61,7 +62,7 @@ pub struct CollisionWorld {
     pub(super) contacts: Vec<Contact>,
     /// Pairs that were reported as touching and have not parted since, sorted.
     pub(super) touching: Vec<PairKey>,
-    /// Pairs with a contact in the last step, sorted.
+    /// Pairs with a contact in the last step, as contacts name them, sorted.
     pub(super) met: Vec<PairKey>,
     /// What the narrow phase found in the frame at hand.
     pub(super) findings: Findings,
@@ -69,6 +70,7 @@ pub struct CollisionWorld {
     pub(super) passed: Passed,
     /// For how long boxes hold.
     pub(super) horizon: Horizon,
+    pub(super) looks: Looks,
     pub(super) stats: StepStats,
 }
 
@@ -108,6 +110,7 @@ impl CollisionWorld {
             findings: Findings::default(),
             passed: Passed::default(),
             horizon: Horizon::default(),
+            looks: Looks::default(),
             stats: StepStats::default(),
         }
     }
@@ -139,6 +142,7 @@ impl CollisionWorld {
     pub fn remove(&mut self, id: BodyId) -> Result<Body, BodyError> {
         let resident = self.slots.remove(id).ok_or(BodyError::UnknownBody { id })?;
         self.bvh.remove(id.slot);
+        self.looks.forget();
         self.volume_changed(id.slot);
         Ok(resident.body)
     }
@@ -189,6 +193,7 @@ impl CollisionWorld {
     fn track(&mut self, slot: u32, anew: bool) {
         /// So many bodies outside the trees cost a query little.
         const WAITING: usize = 16;
+        self.looks.forget();
         let Some(resident) = self.slots.at(slot) else {
             return;
         };
@@ -345,6 +350,7 @@ impl CollisionWorld {
         size_of::<Self>()
             + self.slots.memory()
             + self.bvh.memory()
+            + self.looks.memory()
             + self.stirred.memory()
             + self.findings.memory()
             + (of(&self.on_paths) + of(&self.contacts))

@@ -1,7 +1,7 @@
 //! Which candidate pairs are examined.
 
 use crate::broad_phase::{Leaf, LeafId};
-use crate::early_out::RejectionCounts;
+use crate::early_out::{Rejection, RejectionCounts};
 use crate::world::BodyId;
 use crate::world::slots::Slots;
 use crate::world::tracks::{Span, Track};
@@ -14,6 +14,8 @@ pub(super) struct Gate<'a> {
     pub(super) slots: &'a Slots,
     pub(super) keep: Keep<'a>,
     pub(super) span: Span,
+    /// What pairs are found for: the frame, or a longer time that began with it or before.
+    pub(super) ahead: Span,
 }
 
 /// The pairs that were let through, and what became of the others.
@@ -24,6 +26,8 @@ pub(super) struct Passed {
     pub(super) count: usize,
     /// Pairs that came, but for those of groups that do not meet.
     pub(super) seen: usize,
+    /// Of these, pairs that will not be seen again before pairs are found anew.
+    pub(super) dismissed: usize,
     pub(super) rejected: RejectionCounts,
 }
 
@@ -32,6 +36,7 @@ impl Passed {
         self.pairs.clear();
         self.count = 0;
         self.seen = 0;
+        self.dismissed = 0;
         self.rejected = RejectionCounts::default();
     }
 
@@ -40,6 +45,7 @@ impl Passed {
     pub(super) fn append(&mut self, other: &Self) {
         self.count += other.count;
         self.seen += other.seen;
+        self.dismissed += other.dismissed;
         self.rejected.too_far += other.rejected.too_far;
         self.rejected.moving_away += other.rejected.moving_away;
         self.rejected.passing_by += other.rejected.passing_by;
@@ -47,20 +53,84 @@ impl Passed {
 }
 
 impl Gate<'_> {
+    /// Whether pairs are found for more than the frame.
+    pub(super) fn looks_ahead(&self) -> bool {
+        self.ahead.dt > self.span.dt
+    }
+
+    /// The end of the frame, as a share of the time ahead, rounded up.
+    pub(super) fn now(&self) -> f32 {
+        let (begin, end) = (self.ahead.time, self.span.time + self.span.dt);
+        // By the clock, of which elapsed times are rounded parts.
+        let all = begin + self.ahead.dt - begin;
+        let rounding = 1e-6 + 8.0 * f64::EPSILON * end / all;
+        let share = ((end - begin) / all + rounding) as f32;
+        // A frame too short for the clock.
+        if share.is_finite() {
+            share
+        } else {
+            f32::INFINITY
+        }
+    }
+
+    /// When a pair that has just been found may meet for the first time before pairs are found
+    /// anew, as a share of the time ahead, rounded down.
     #[inline]
-    pub(super) fn pass(&self, a: &Leaf<'_, Track>, b: &Leaf<'_, Track>, passed: &mut Passed) {
+    pub(super) fn may_meet(
+        &self,
+        a: &Leaf<'_, Track>,
+        b: &Leaf<'_, Track>,
+        passed: &mut Passed,
+    ) -> Option<f32> {
+        match a.data.meets_ahead(b.data, self.ahead) {
+            Ok(fraction) => Some((fraction - 1e-6) as f32),
+            Err(rejection) => {
+                if a.data.groups.meets(b.data.groups) {
+                    passed.seen += 1;
+                    passed.dismissed += 1;
+                    passed.rejected.count(rejection);
+                }
+                None
+            }
+        }
+    }
+
+    /// Lets a pair through if it may meet in the frame; answers whether it may still meet in
+    /// the time ahead.
+    #[inline]
+    pub(super) fn pass(
+        &self,
+        a: &Leaf<'_, Track>,
+        b: &Leaf<'_, Track>,
+        passed: &mut Passed,
+    ) -> bool {
         if !a.data.groups.meets(b.data.groups) {
-            return;
+            return false;
         }
         passed.seen += 1;
         match a.data.reject(b.data, self.span) {
-            Some(rejection) => passed.rejected.count(rejection),
-            None if self.keeps(a.slot, b.slot) => {
-                passed.count += 1;
-                passed.pairs.push((a.id, b.id));
+            Some(rejection) => {
+                passed.rejected.count(rejection);
+                rejection != Rejection::MovingAway || self.meets_later(a, b)
             }
-            None => {}
+            None => {
+                if self.keeps(a.slot, b.slot) {
+                    passed.count += 1;
+                    passed.pairs.push((a.id, b.id));
+                }
+                true
+            }
         }
+    }
+
+    /// Whether bodies that part in the frame may meet afterwards, by rounding.
+    fn meets_later(&self, a: &Leaf<'_, Track>, b: &Leaf<'_, Track>) -> bool {
+        let end = self.ahead.time + self.ahead.dt;
+        let rest = Span {
+            dt: end - self.span.time,
+            ..self.span
+        };
+        rest.dt <= self.span.dt || a.data.meets_ahead(b.data, rest).is_ok()
     }
 
     #[inline]

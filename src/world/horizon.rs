@@ -3,12 +3,14 @@
 use crate::world::tracks::Span;
 
 /// At most so many frames.
-const MOST: u32 = 8;
+const MOST: u32 = 16;
 
 /// What is done takes times in these proportions, in nanoseconds as measured on
-/// 100 000 balls: a box compared with eight, a box fitted, a pair looked at.
+/// 100 000 balls: a box compared with eight, a box fitted, a pair found and looked at for all
+/// of the horizon, a pair looked at in one frame.
 const TEST: f64 = 7.0;
 const FIT: f64 = 20.0;
+const FOUND: f64 = 12.0;
 const PAIR: f64 = 25.0;
 
 /// After so many horizons it is tried anew how long they should be.
@@ -25,6 +27,8 @@ const PATIENCE: u32 = 32;
 pub(super) struct Horizon {
     /// By the world's clock; before any time if there is no horizon.
     until: f64,
+    /// What was looked ahead to as it began.
+    ahead: Span,
     frames: u32,
     /// Steps since it began.
     steps: u32,
@@ -45,6 +49,7 @@ impl Default for Horizon {
     fn default() -> Self {
         Self {
             until: f64::NEG_INFINITY,
+            ahead: Span::at(0.0),
             frames: 1,
             steps: 0,
             restless: 0,
@@ -83,8 +88,9 @@ impl Horizon {
         let is_calm = self.restless <= bodies * steps / 64;
         if !may_last || !is_calm {
             (self.frames, self.shorter) = (1, f64::INFINITY);
-        } else if self.frames > 1 && self.cost > self.shorter {
-            // The longer one did not pay.
+        } else if self.frames > 1 && (self.cost > self.shorter || 2 * steps <= self.frames as usize)
+        {
+            // The longer one did not pay, or was cut off half way by bodies that turned.
             self.shorten();
             self.patience = PATIENCE;
         } else if self.patience > 0 {
@@ -100,13 +106,19 @@ impl Horizon {
         let dt = span.dt * f64::from(self.frames) * (1.0 + 1e-9);
         let dt = if self.frames == 1 { span.dt } else { dt };
         (self.steps, self.restless, self.bodies) = (0, 0, bodies);
-        self.limit = bodies / 32 + 8;
+        self.limit = bodies / 16 + 8;
         self.until = if may_last {
             span.time + dt
         } else {
             f64::NEG_INFINITY
         };
-        Span { dt, ..span }
+        self.ahead = Span { dt, ..span };
+        self.ahead
+    }
+
+    /// What was looked ahead to as the present horizon began.
+    pub(super) fn ahead(&self) -> Span {
+        self.ahead
     }
 
     fn shorten(&mut self) {
@@ -114,12 +126,12 @@ impl Horizon {
         self.shorter = f64::INFINITY;
     }
 
-    /// Takes note of what the first frame cost.
-    pub(super) fn note(&mut self, tests: u64, pairs: usize) {
+    /// Takes note of what the first frame cost: of tests, of pairs found and of pairs kept.
+    pub(super) fn note(&mut self, tests: u64, (found, kept): (usize, usize)) {
         if self.steps == 0 {
             let frames = f64::from(self.frames);
-            let finding = TEST * tests as f64 + FIT * self.bodies as f64;
-            self.cost = finding / frames + PAIR * pairs as f64;
+            let finding = TEST * tests as f64 + FIT * self.bodies as f64 + FOUND * found as f64;
+            self.cost = finding / frames + PAIR * kept as f64;
         }
     }
 }

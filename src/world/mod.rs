@@ -47,11 +47,13 @@ mod contact;
 #[cfg(feature = "serde")]
 mod data;
 mod finding;
+mod findings;
 mod first_contact;
 mod gate;
 mod groups;
 mod horizon;
 mod id;
+mod looks;
 mod pair;
 mod portions;
 mod queries;

@@ -1,7 +1,8 @@
 //! Pairs of the hierarchies, portion by portion.
 
 use crate::broad_phase::{Bvh, Portion};
-use crate::world::finding::{Findings, Frame};
+use crate::world::finding::Frame;
+use crate::world::findings::Findings;
 use crate::world::gate::{Gate, Passed};
 use crate::world::solver::Solver;
 use crate::world::stats::{Laps, PhaseTimes};
@@ -26,8 +27,8 @@ impl Frame<'_> {
                 pass(gate, pairs, &mut found.0);
                 self.examine(&found.0.pairs, |id| pairs.at(id), &mut solver, &mut found.1);
             });
-            for (more, found) in &parts {
-                passed.append(more);
+            for (more, found) in parts {
+                passed.append(&more);
                 findings.append(found);
             }
             // All phases at once; their shares cannot be told.
@@ -46,9 +47,10 @@ impl Frame<'_> {
 }
 
 /// The early-outs of some pairs: which are left.
-fn pass(gate: &Gate<'_>, pairs: &Portion<'_, Track>, passed: &mut Passed) {
+fn pass(gate: &Gate<'_>, pairs: &mut Portion<'_, Track>, passed: &mut Passed) {
     passed.pairs.clear();
-    for (a, b) in pairs.iter() {
-        gate.pass(&a, &b, passed);
+    if pairs.is_new() && gate.looks_ahead() {
+        pairs.retain(Track::touch, |a, b| gate.may_meet(a, b, passed));
     }
+    pairs.for_each((Track::touch, gate.now()), |a, b| gate.pass(&a, &b, passed));
 }

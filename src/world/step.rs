@@ -9,7 +9,8 @@ use crate::error::StepError;
 use crate::math::domain;
 use crate::motion::FrameMotion;
 use crate::tolerance::{MAX_COORDINATE, MAX_TIME_STEP, MIN_TIME_STEP};
-use crate::world::finding::{self, Frame};
+use crate::world::finding::Frame;
+use crate::world::findings;
 use crate::world::gate::{Gate, Keep};
 use crate::world::slots::Slots;
 use crate::world::stats::Laps;
@@ -218,17 +219,20 @@ impl CollisionWorld {
         laps: &mut Laps,
     ) {
         let by_boxes = self.config.broad_phase == BroadPhase::Bvh;
-        if by_boxes && self.horizon.holds(span) {
+        let ahead = if by_boxes && self.horizon.holds(span) {
             self.bvh.renew(|track| track.swept(span));
+            self.horizon.ahead()
         } else {
             let may_last = by_boxes && self.on_paths.is_empty();
             let ahead = self.horizon.begin(span, self.slots.len(), may_last);
             self.bvh.update(|track| track.swept(ahead));
-        }
+            ahead
+        };
         let gate = Gate {
             slots: &self.slots,
             keep,
             span,
+            ahead,
         };
         let frame = Frame {
             config: &self.config,
@@ -246,7 +250,8 @@ impl CollisionWorld {
                 (&mut self.solver, passed, findings),
                 (&mut stats.times, laps),
             );
-            self.horizon.note(self.bvh.tests(), passed.seen);
+            let kept = passed.seen - passed.dismissed;
+            self.horizon.note(self.bvh.tests(), (passed.seen, kept));
         } else {
             Self::list_pairs(
                 self.config.broad_phase,
@@ -300,13 +305,14 @@ impl CollisionWorld {
     /// Lets time pass, and remembers which pairs touch from now on.
     fn advance(&mut self, elapsed: f64, until: f64) {
         self.time += elapsed;
+        self.looks.forget();
         self.stirred.clear();
         self.findings.met_until(until, &mut self.met);
         self.touching.clear();
         self.touching.append(&mut self.findings.resting);
         let touches = self.contacts.iter().filter(|contact| contact.is_touch());
         self.touching
-            .extend(touches.map(|contact| finding::key(contact.a.slot, contact.b.slot)));
+            .extend(touches.map(|contact| findings::key(contact.a.slot, contact.b.slot)));
         self.touching.sort_unstable();
     }
 }

@@ -117,6 +117,12 @@ impl Track {
         }
     }
 
+    /// Reads a number from either end of the record, so that all of it is in the cache.
+    #[inline]
+    pub(super) fn touch(&self) -> f64 {
+        self.centre.x + self.reach + f64::from(self.half[0])
+    }
+
     /// The track in one frame of a body whose motion in it has been worked out.
     pub(super) fn in_frame(resident: &Resident, span: Span) -> Self {
         let FrameMotion {
@@ -198,6 +204,35 @@ impl Track {
         let rounding = 8.0 * f64::EPSILON * a.abs().max(b.abs()).max_element();
         let reach = self.reach + other.reach + rounding;
         early_out::reject(b - a, motion_a - motion_b, reach)
+    }
+
+    /// When two bodies may touch first in any frame of a time ahead, for all that these are
+    /// rounded otherwise: as a share of that time, right to 1e-7; or why they cannot.
+    #[inline]
+    pub(super) fn meets_ahead(&self, other: &Self, ahead: Span) -> Result<f64, Rejection> {
+        let ((a, motion_a), (b, motion_b)) = (self.flight(ahead), other.flight(ahead));
+        let far = (a.abs().max(b.abs()) + motion_a.abs().max(motion_b.abs())).max_element();
+        let begun = self.centre.abs().max(other.centre.abs()).max_element();
+        let reach = self.reach + other.reach;
+        // What comes as near as this counts as touching.
+        let touch = 4.0 * TOUCH * (reach + far);
+        let rounding = 64.0 * f64::EPSILON * (far + begun);
+        let (between, motion, reach) = (b - a, motion_a - motion_b, reach + (touch + rounding));
+        if let Some(rejection) = early_out::reject(between, motion, reach) {
+            return Err(rejection);
+        }
+        // The first root of |between − f · motion| = reach, in the form that divides by
+        // a sum; with a reach so much larger that what rounding does to it is covered.
+        let apart = between.length_squared() - reach * reach * (1.0 + 1e-8);
+        let closing = between.dot(motion);
+        let square = closing * closing - motion.length_squared() * apart;
+        let fraction = apart / (closing + square.max(0.0).sqrt());
+        // They overlap, or it cannot be told: at once.
+        Ok(if apart > 0.0 && fraction > 0.0 {
+            fraction * (1.0 - 1e-7)
+        } else {
+            0.0
+        })
     }
 
     /// Whether a ray surely passes the sphere by where it is at `time`, up to fraction `until`.

@@ -45,10 +45,10 @@ impl Block {
         }
     }
 
-    /// Where the eight begin and end along an axis.
+    /// Where the eight begin and end along an axis, four by four.
     #[inline]
-    pub(super) fn sides(&self, axis: usize) -> (&[f32; WIDTH], &[f32; WIDTH]) {
-        (&self.min[axis % 3], &self.max[axis % 3])
+    pub(super) fn sides(&self, axis: usize) -> ([Vec4; 2], [Vec4; 2]) {
+        (halves(&self.min[axis % 3]), halves(&self.max[axis % 3]))
     }
 
     /// The box around all eight.

@@ -103,7 +103,7 @@ impl<T> Default for Bvh<T> {
     }
 }
 
-impl<T: Copy> Bvh<T> {
+impl<T: Copy + Sync> Bvh<T> {
     /// Adds the body in `slot`, or takes it out and adds it again.
     ///
     /// It is in no pair before the next [`update`](Self::update).
@@ -211,7 +211,7 @@ impl<T: Copy> Bvh<T> {
     ///
     /// O(moving bodies); O(n log n) of those n whose leaves are sorted anew. Does not
     /// allocate unless there is more of anything than before.
-    pub fn update(&mut self, bounds: impl Fn(&T) -> Aabb) {
+    pub fn update(&mut self, bounds: impl Fn(&T) -> Aabb + Sync) {
         self.lists.clear();
         for tree in &mut self.trees {
             tree.settled = false;
@@ -244,12 +244,12 @@ impl<T: Copy> Bvh<T> {
     /// one whose motion has changed has to be [inserted](Self::insert) again.
     ///
     /// O(bodies that are new since the last update).
-    pub fn renew(&mut self, bounds: impl Fn(&T) -> Aabb) {
+    pub fn renew(&mut self, bounds: impl Fn(&T) -> Aabb + Sync) {
         self.settle(&bounds);
         self.fit_unsettled(&bounds);
     }
 
-    fn fit_unsettled(&mut self, bounds: &impl Fn(&T) -> Aabb) {
+    fn fit_unsettled(&mut self, bounds: &(impl Fn(&T) -> Aabb + Sync)) {
         for tree in &mut self.trees {
             if tree.mobility == Mobility::Moving && !tree.settled {
                 tree.fit(|data| Bounds::around(&bounds(data), self.origin));
@@ -260,7 +260,7 @@ impl<T: Copy> Bvh<T> {
     /// Puts the bodies that wait into trees, so that queries find them there.
     ///
     /// Inserting n bodies and settling whenever so many wait is O(n log² n) in all.
-    pub fn settle(&mut self, bounds: impl Fn(&T) -> Aabb) {
+    pub fn settle(&mut self, bounds: impl Fn(&T) -> Aabb + Sync) {
         if self.waiting.is_empty() {
             return;
         }
@@ -318,7 +318,7 @@ impl<T: Copy> Bvh<T> {
     }
 
     /// Leaves at most two trees, a large one and one an eighth of it at most.
-    fn consolidate(&mut self, mobility: Mobility, bounds: &impl Fn(&T) -> Aabb) {
+    fn consolidate(&mut self, mobility: Mobility, bounds: &(impl Fn(&T) -> Aabb + Sync)) {
         let is_used = |tree: &Tree<T>| tree.mobility == mobility && tree.live() > 0;
         if self.trees.iter().filter(|tree| is_used(tree)).count() < 2 {
             return;
@@ -337,7 +337,7 @@ impl<T: Copy> Bvh<T> {
     }
 
     /// Makes one tree of several, in the place of the first.
-    fn merge(&mut self, indices: &[usize], bounds: &impl Fn(&T) -> Aabb) {
+    fn merge(&mut self, indices: &[usize], bounds: &(impl Fn(&T) -> Aabb + Sync)) {
         self.items.clear();
         self.bodies.clear();
         for &index in indices {
@@ -359,7 +359,7 @@ impl<T: Copy> Bvh<T> {
     }
 
     /// Makes a tree of the bodies at hand.
-    fn plant(&mut self, index: usize, bounds: &impl Fn(&T) -> Aabb) {
+    fn plant(&mut self, index: usize, bounds: &(impl Fn(&T) -> Aabb + Sync)) {
         let tree = &mut self.trees[index];
         tree.arrange(&mut self.items, &self.bodies);
         tree.fit(|data| Bounds::around(&bounds(data), self.origin));
@@ -375,7 +375,7 @@ impl<T: Copy> Bvh<T> {
 
     /// Follows the bodies if they have all gone far from where they were: numbers
     /// far from the origin are coarse.
-    fn move_origin(&mut self, bounds: &impl Fn(&T) -> Aabb) {
+    fn move_origin(&mut self, bounds: &(impl Fn(&T) -> Aabb + Sync)) {
         let around = self
             .trees
             .iter()

@@ -1,8 +1,9 @@
 //! Pairs handed out, and kept for as long as their boxes hold.
 
 use super::Bvh;
-use super::pairs::{Job, Portion};
+use super::pairs::{Job, Listed, Order, Portion, across};
 use super::tree::{Mobility, Tree};
+use crate::math::radix::sort_by_slots;
 
 /// Pairs are handed out in portions of about so many: few enough that what they
 /// name stays in the cache.
@@ -12,7 +13,44 @@ pub(super) const PORTION: usize = 1024;
 #[derive(Debug, Clone, Default)]
 pub(super) struct List {
     pub(super) trees: [usize; 2],
-    pub(super) pairs: Vec<(u32, u32)>,
+    pub(super) pairs: Vec<Listed>,
+    /// Whether they are in order of their slots.
+    in_order: bool,
+    /// Room to sort in, with their slots.
+    room: [Vec<(u64, Listed)>; 2],
+}
+
+impl List {
+    /// Sorts the pairs by the slots of their bodies, in the order in which they are handed
+    /// out: once, when they are handed out for the second time.
+    ///
+    /// What is found of them is then in order too, in every frame. That pays where bodies
+    /// are crowded; where they have hardly a pair each, it matters more that pairs lie in
+    /// memory as their bodies do.
+    pub(super) fn arrange<T: Copy + Sync>(&mut self, trees: &[Tree<T>]) {
+        let [Some(a), Some(b)] = self.trees.map(|tree| trees.get(tree)) else {
+            return;
+        };
+        if self.in_order || self.pairs.len() < 2 * (a.live() + b.live()) {
+            return;
+        }
+        self.in_order = true;
+        let [keyed, spare] = &mut self.room;
+        keyed.clear();
+        let of = Order::new(a, b);
+        keyed.extend(self.pairs.iter().map(|pair| (of.key(pair), *pair)));
+        sort_by_slots((keyed, spare), |&(key, _)| key);
+        self.pairs.clear();
+        self.pairs.extend(keyed.iter().map(|&(_, pair)| pair));
+    }
+
+    /// Closes the gap before a portion's pairs that are left, `from` and so many.
+    pub(super) fn close_gap(&mut self, kept: &mut usize, from: usize, left: usize) {
+        if *kept != from {
+            self.pairs.copy_within(from..from + left, *kept);
+        }
+        *kept += left;
+    }
 }
 
 /// All lists; the first so many are of trees that were there at the last update.
@@ -35,8 +73,8 @@ impl Lists {
     }
 
     /// The pairs that are kept.
-    pub(super) fn kept(&self) -> &[List] {
-        self.lists.get(..self.kept).unwrap_or_default()
+    pub(super) fn kept(&mut self) -> &mut [List] {
+        self.lists.get_mut(..self.kept).unwrap_or_default()
     }
 
     /// A list to be filled, which has no pairs yet.
@@ -51,6 +89,7 @@ impl Lists {
             .unwrap_or_default();
         list.trees = trees;
         list.pairs.clear();
+        list.in_order = false;
         list
     }
 
@@ -65,24 +104,36 @@ impl Lists {
     /// Bytes in use.
     pub(super) fn memory(&self) -> usize {
         let pairs: usize = self.lists.iter().map(|list| list.pairs.capacity()).sum();
-        pairs * size_of::<(u32, u32)>() + self.lists.capacity() * size_of::<List>()
+        let room = self.lists.iter().flat_map(|list| &list.room);
+        pairs * size_of::<Listed>()
+            + room.map(Vec::capacity).sum::<usize>() * size_of::<(u64, Listed)>()
+            + self.lists.capacity() * size_of::<List>()
     }
 }
 
-impl<T: Copy> Bvh<T> {
+impl<T: Copy + Sync> Bvh<T> {
     /// Hands out all pairs of bodies whose boxes overlap, in portions, in no
     /// particular order; each pair once.
     ///
     /// O(bodies + pairs) for boxes of like size, O(pairs) for those that were there
     /// already if boxes were [renewed](Self::renew). Does not allocate once there have
     /// been as many pairs.
-    pub fn pairs(&mut self, mut visit: impl FnMut(&Portion<'_, T>)) {
+    pub fn pairs(&mut self, mut visit: impl FnMut(&mut Portion<'_, T>)) {
         for list in self.lists.kept() {
-            for pairs in list.pairs.chunks(PORTION) {
-                if let Some(found) = Portion::new(&self.trees, list.trees, pairs) {
-                    visit(&found);
+            list.arrange(&self.trees);
+            let (mut kept, mut from) = (0, 0);
+            while from < list.pairs.len() {
+                let until = list.pairs.len().min(from + PORTION);
+                let pairs = list.pairs.get_mut(from..until).unwrap_or_default();
+                let mut left = 0;
+                if let Some(mut portion) = Portion::new(&self.trees, list.trees, pairs, false) {
+                    visit(&mut portion);
+                    left = portion.len();
                 }
+                list.close_gap(&mut kept, from, left);
+                from = until;
             }
+            list.pairs.truncate(kept);
         }
         for a in 0..self.trees.len() {
             for b in a..self.trees.len() {
@@ -92,20 +143,28 @@ impl<T: Copy> Bvh<T> {
                 let mut list = self.lists.take([a, b]);
                 let trees = &self.trees;
                 let mut told = 0;
-                let mut tell = |pairs: &[(u32, u32)], least: usize| {
-                    if pairs.len() >= told + least {
-                        let new = pairs.get(told..).unwrap_or_default();
-                        if let Some(found) = Portion::new(trees, [a, b], new) {
-                            visit(&found);
-                        }
-                        told = pairs.len();
+                let mut tell = |pairs: &mut Vec<Listed>| {
+                    let new = pairs.get_mut(told..).unwrap_or_default();
+                    if let Some(mut portion) = Portion::new(trees, [a, b], new, true) {
+                        visit(&mut portion);
+                        told += portion.len();
+                    }
+                    pairs.truncate(told);
+                    told + PORTION
+                };
+                let mut full = PORTION;
+                let mut pair = |a, b| {
+                    list.pairs.push(Listed::new(a, b));
+                    if list.pairs.len() >= full {
+                        full = tell(&mut list.pairs);
                     }
                 };
-                let tests = start.run(trees, &mut |a, b| {
-                    list.pairs.push((a, b));
-                    tell(&list.pairs, PORTION);
-                });
-                tell(&list.pairs, 1);
+                let tests = match start.lopsided(trees) {
+                    Some((of, false)) => across(of, 0..of[1].leaves.len(), pair),
+                    Some((of, true)) => across(of, 0..of[1].leaves.len(), |b, a| pair(a, b)),
+                    None => start.run(trees, &mut pair),
+                };
+                tell(&mut list.pairs);
                 self.keep(list, tests);
             }
         }

@@ -4,6 +4,7 @@ mod block;
 mod bounds;
 mod forest;
 mod lists;
+mod moment;
 mod order;
 mod pairs;
 #[cfg(feature = "parallel")]
@@ -12,4 +13,5 @@ mod probe;
 mod tree;
 
 pub use forest::{Bvh, Leaf, LeafId};
+pub use moment::{Moment, View};
 pub use pairs::Portion;

@@ -29,8 +29,19 @@ pub(super) fn arrange(items: &mut [Item]) {
         a[axis].total_cmp(&b[axis]).then(one.cmp(other))
     });
     let (low, high) = items.split_at_mut(cut);
+    #[cfg(feature = "parallel")]
+    if items_are_many(low) && rayon::current_num_threads() > 1 {
+        rayon::join(|| arrange(low), || arrange(high));
+        return;
+    }
     arrange(low);
     arrange(high);
+}
+
+/// Whether they are worth handing to another thread.
+#[cfg(feature = "parallel")]
+fn items_are_many(items: &[Item]) -> bool {
+    items.len() >= 4096
 }
 
 fn widest_axis(items: &[Item]) -> usize {

@@ -5,37 +5,202 @@ use super::bounds::Bounds;
 use super::forest::{Leaf, LeafId};
 use super::tree::{Mobility, NOBODY, Tree};
 
-/// Some of the pairs that a [`Bvh`](super::Bvh) finds.
+/// Leaves of two trees, or of one, whose boxes overlap.
 #[derive(Debug, Clone, Copy)]
+pub(super) struct Listed {
+    pub(super) a: u32,
+    pub(super) b: u32,
+    /// Of no interest before this; see [`Portion::for_each`].
+    pub(super) wait: f32,
+}
+
+impl Listed {
+    pub(super) fn new(a: u32, b: u32) -> Self {
+        let wait = f32::NEG_INFINITY;
+        Self { a, b, wait }
+    }
+}
+
+/// Some of the pairs that a [`Bvh`](super::Bvh) finds.
+#[derive(Debug)]
 pub struct Portion<'a, T> {
     trees: [&'a Tree<T>; 2],
     numbers: [u32; 2],
-    pairs: &'a [(u32, u32)],
+    pairs: &'a mut [Listed],
+    /// So many of them are left.
+    len: usize,
+    order: Order<'a>,
+    is_new: bool,
+}
+
+/// So many pairs are read ahead: few enough that their bodies stay in the nearest caches.
+const AHEAD: usize = 64;
+
+/// The body of a leaf; none if it has gone since its pair was found.
+#[inline]
+fn body<T>(tree: &Tree<T>, number: u32, leaf: u32) -> Option<Leaf<'_, T>> {
+    let slot = *tree.leaves.get(leaf as usize)?;
+    (slot != NOBODY).then_some(())?;
+    Some(Leaf {
+        id: LeafId { tree: number, leaf },
+        slot,
+        data: tree.data.get(leaf as usize)?,
+    })
+}
+
+/// Which body of a pair of two trees comes first: the moving one, of two moving ones
+/// that of the lower slot.
+#[derive(Debug)]
+pub(super) struct Order<'a> {
+    leaves: [&'a [u32]; 2],
+    both_move: bool,
+    fixed_first: bool,
+}
+
+impl<'a> Order<'a> {
+    pub(super) fn new<T>(a: &'a Tree<T>, b: &'a Tree<T>) -> Self {
+        let both_move = a.mobility == b.mobility;
+        Self {
+            leaves: [&a.leaves, &b.leaves],
+            both_move,
+            fixed_first: !both_move && a.mobility == Mobility::Fixed,
+        }
+    }
+
+    #[inline]
+    fn swaps(&self, a: u32, b: u32) -> bool {
+        self.fixed_first || self.both_move && b < a
+    }
+
+    /// The slots of the bodies of two leaves, as one number to sort by.
+    pub(super) fn key(&self, pair: &Listed) -> u64 {
+        let slot = |side: usize, leaf: u32| {
+            let slot = self.leaves[side].get(leaf as usize);
+            slot.copied().unwrap_or(NOBODY)
+        };
+        let (a, b) = (slot(0, pair.a), slot(1, pair.b));
+        let (first, second) = if self.swaps(a, b) { (b, a) } else { (a, b) };
+        u64::from(first) << 32 | u64::from(second)
+    }
 }
 
 impl<'a, T: Copy> Portion<'a, T> {
     pub(super) fn new(
         trees: &'a [Tree<T>],
         [a, b]: [usize; 2],
-        pairs: &'a [(u32, u32)],
+        pairs: &'a mut [Listed],
+        is_new: bool,
     ) -> Option<Self> {
         Some(Self {
+            order: Order::new(trees.get(a)?, trees.get(b)?),
             trees: [trees.get(a)?, trees.get(b)?],
             numbers: [a as u32, b as u32],
+            len: pairs.len(),
             pairs,
+            is_new,
         })
     }
 
     /// How many they are.
     #[must_use]
     pub fn len(&self) -> usize {
-        self.pairs.len()
+        self.len
     }
 
     /// Whether there are none.
     #[must_use]
     pub fn is_empty(&self) -> bool {
-        self.pairs.is_empty()
+        self.len == 0
+    }
+
+    /// Whether they have been found just now, and are not kept from before.
+    #[must_use]
+    pub fn is_new(&self) -> bool {
+        self.is_new
+    }
+
+    /// Reads what is known of the bodies of some pairs, all at once.
+    ///
+    /// Records lie wherever their bodies do. What looks at one pair after the other waits for
+    /// memory twice for each; reads that nothing depends on are waited for together. On
+    /// 100 000 balls that makes the early-outs twice as fast.
+    #[inline]
+    fn read<'p>(&self, pairs: impl Iterator<Item = &'p Listed>, touch: impl Fn(&T) -> f64) {
+        let side = |side: usize, leaf: u32| {
+            let data = self.trees[side].data.get(leaf as usize);
+            data.map_or(0.0, &touch)
+        };
+        let read = |sum: f64, pair: &Listed| sum + side(0, pair.a) + side(1, pair.b);
+        // So that it is not left out for being of no use.
+        std::hint::black_box(pairs.fold(0.0, read));
+    }
+
+    /// Leaves out, now and for as long as they would be kept, the pairs that `when` has no
+    /// answer for; the others wait for the number it answers with: see
+    /// [`for_each`](Self::for_each).
+    ///
+    /// `touch` reads a little of what is known of a body.
+    #[inline]
+    pub fn retain(
+        &mut self,
+        touch: impl Fn(&T) -> f64,
+        mut when: impl FnMut(&Leaf<'a, T>, &Leaf<'a, T>) -> Option<f32>,
+    ) {
+        let mut kept = 0;
+        for from in (0..self.len).step_by(AHEAD) {
+            let until = self.len.min(from + AHEAD);
+            let pairs = self.pairs.get(from..until).unwrap_or_default();
+            self.read(pairs.iter(), &touch);
+            for index in from..until {
+                if let Some(&pair) = self.pairs.get(index)
+                    && let Some((a, b)) = self.leaves(&pair)
+                    && let Some(wait) = when(&a, &b)
+                    && let Some(place) = self.pairs.get_mut(kept)
+                {
+                    *place = Listed { wait, ..pair };
+                    kept += 1;
+                }
+            }
+        }
+        self.len = kept;
+    }
+
+    /// The pairs that do not wait for a number beyond `now`, as [`iter`](Self::iter) gives
+    /// them; those that `visit` answers false for are not visited again.
+    ///
+    /// `touch` reads a little of what is known of a body.
+    #[inline]
+    pub fn for_each(
+        &mut self,
+        (touch, now): (impl Fn(&T) -> f64, f32),
+        mut visit: impl FnMut(Leaf<'a, T>, Leaf<'a, T>) -> bool,
+    ) {
+        let mut due = [0_u32; AHEAD];
+        for from in (0..self.len).step_by(AHEAD) {
+            let until = self.len.min(from + AHEAD);
+            let mut count = 0;
+            for (index, pair) in
+                (from as u32..).zip(self.pairs.get(from..until).unwrap_or_default())
+            {
+                // Written in any case, and overwritten if it is not due: no branch.
+                due[count % AHEAD] = index;
+                count += usize::from(pair.wait <= now);
+            }
+            let due = due.get(..count).unwrap_or_default();
+            let pairs = due
+                .iter()
+                .filter_map(|&index| self.pairs.get(index as usize));
+            self.read(pairs, &touch);
+            for &index in due {
+                if let Some(&pair) = self.pairs.get(index as usize)
+                    && let Some((a, b)) = self.leaves(&pair)
+                    && !visit(a, b)
+                    && let Some(pair) = self.pairs.get_mut(index as usize)
+                {
+                    pair.wait = f32::INFINITY;
+                }
+            }
+        }
     }
 
     /// The body kept there, if it is of these pairs.
@@ -54,27 +219,18 @@ impl<'a, T: Copy> Portion<'a, T> {
     /// The pairs: the moving body first, of two moving ones the lower slot.
     #[inline]
     pub fn iter(&self) -> impl Iterator<Item = (Leaf<'a, T>, Leaf<'a, T>)> {
-        let Self {
-            trees: [tree_a, tree_b],
-            numbers,
-            pairs,
-        } = *self;
-        let leaf = |tree: &'a Tree<T>, number: u32, leaf: u32| {
-            let slot = *tree.leaves.get(leaf as usize)?;
-            // Its body may have gone since the pair was found.
-            (slot != NOBODY).then_some(())?;
-            Some(Leaf {
-                id: LeafId { tree: number, leaf },
-                slot,
-                data: tree.data.get(leaf as usize)?,
-            })
-        };
-        let both_move = tree_a.mobility == tree_b.mobility;
-        let fixed_first = !both_move && tree_a.mobility == Mobility::Fixed;
-        pairs.iter().filter_map(move |&(a, b)| {
-            let (a, b) = (leaf(tree_a, numbers[0], a)?, leaf(tree_b, numbers[1], b)?);
-            let swap = fixed_first || both_move && b.slot < a.slot;
-            Some(if swap { (b, a) } else { (a, b) })
+        let pairs = self.pairs.get(..self.len).unwrap_or_default();
+        pairs.iter().filter_map(|pair| self.leaves(pair))
+    }
+
+    #[inline]
+    fn leaves(&self, pair: &Listed) -> Option<(Leaf<'a, T>, Leaf<'a, T>)> {
+        let a = body(self.trees[0], self.numbers[0], pair.a)?;
+        let b = body(self.trees[1], self.numbers[1], pair.b)?;
+        Some(if self.order.swaps(a.slot, b.slot) {
+            (b, a)
+        } else {
+            (a, b)
         })
     }
 }
@@ -106,6 +262,27 @@ impl Node {
 }
 
 impl Job {
+    /// The trees it is about, the larger one first, if the other is much smaller; and
+    /// whether they are named the other way round.
+    pub(super) fn lopsided<T: Copy + Sync>(
+        self,
+        trees: &[Tree<T>],
+    ) -> Option<([&Tree<T>; 2], bool)> {
+        /// With less of a difference nodes are compared with nodes.
+        const MUCH: usize = 4;
+        let (a, b) = (
+            trees.get(self.a.tree as usize)?,
+            trees.get(self.b.tree as usize)?,
+        );
+        if MUCH * b.live() <= a.live() {
+            Some(([a, b], false))
+        } else if MUCH * a.live() <= b.live() {
+            Some(([b, a], true))
+        } else {
+            None
+        }
+    }
+
     /// The leaves of two trees; of one among themselves, if it is named twice.
     pub(super) fn new<T: Copy>(trees: &[Tree<T>], a: usize, b: usize) -> Option<Self> {
         Some(Self {
@@ -229,6 +406,55 @@ impl Job {
         }
         WIDTH as u64
     }
+}
+
+/// All pairs of a leaf of one tree with some leaves of another, which is much smaller:
+/// `small` tells which, `of` both trees, the larger one first.
+///
+/// Bodies of a small tree lie far from each other, and the box around eight of them
+/// overlaps nearly everything: each is looked for by itself.
+pub(super) fn across<T: Copy + Sync>(
+    of: [&Tree<T>; 2],
+    small: std::ops::Range<usize>,
+    mut pair: impl FnMut(u32, u32),
+) -> u64 {
+    let [large, tree] = of;
+    let Some(level) = large.levels.len().checked_sub(1) else {
+        return 0;
+    };
+    let mut tests = 0;
+    for leaf in small {
+        if tree.leaves.get(leaf).is_some_and(|&slot| slot != NOBODY) {
+            let bounds = tree.leaf(leaf);
+            tests += below(large, level, 0, &bounds, &mut |found| {
+                pair(found, leaf as u32);
+            });
+        }
+    }
+    tests
+}
+
+/// All leaves below one node whose boxes overlap `bounds`.
+fn below<T>(
+    tree: &Tree<T>,
+    level: usize,
+    index: usize,
+    bounds: &Bounds,
+    found: &mut impl FnMut(u32),
+) -> u64 {
+    let Some(block) = tree.levels.get(level).and_then(|nodes| nodes.get(index)) else {
+        return 0;
+    };
+    let mut tests = 1;
+    for lane in lanes(block.overlaps(bounds)) {
+        let child = index * WIDTH + lane as usize;
+        if level == 0 {
+            found(child as u32);
+        } else {
+            tests += below(tree, level - 1, child, bounds, found);
+        }
+    }
+    tests
 }
 
 /// All pairs of leaves below one node.

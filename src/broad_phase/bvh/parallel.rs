@@ -1,16 +1,36 @@
 //! Pairs found by several threads.
 
 use super::Bvh;
-use super::lists::PORTION;
-use super::pairs::{Job, Portion};
+use super::lists::{List, PORTION};
+use super::pairs::{Job, Listed, Portion, across};
+use super::tree::Tree;
 use rayon::prelude::*;
 
 /// So many jobs are handed out at least, if there are so many: enough that no thread is idle
 /// for long when the others have not finished yet.
 const JOBS: usize = 256;
 
+/// So many leaves of a small tree are looked for at a time.
+const LEAVES: usize = 32;
+
 /// What was found out, of which pairs, by how many tests.
-type Part<S> = (S, Vec<(u32, u32)>, u64);
+type Part<S> = (S, Vec<Listed>, u64);
+
+/// What is found out of some pairs, and how many of them are left.
+fn told<T: Copy, S: Default>(
+    (trees, numbers): (&[Tree<T>], [usize; 2]),
+    (pairs, is_new): (&mut [Listed], bool),
+    visit: impl Fn(&mut Portion<'_, T>, &mut S),
+) -> (S, usize) {
+    let mut answer = S::default();
+    match Portion::new(trees, numbers, pairs, is_new) {
+        Some(mut portion) => {
+            visit(&mut portion, &mut answer);
+            (answer, portion.len())
+        }
+        None => (answer, 0),
+    }
+}
 
 impl<T: Copy + Send + Sync> Bvh<T> {
     /// As [`pairs`](Self::pairs), with the threads of the rayon pool it is called in.
@@ -19,20 +39,24 @@ impl<T: Copy + Send + Sync> Bvh<T> {
     /// returned in an order that does not depend on the number of threads.
     pub fn pairs_in_parallel<S: Default + Send>(
         &mut self,
-        visit: impl Fn(&Portion<'_, T>, &mut S) + Sync,
+        visit: impl Fn(&mut Portion<'_, T>, &mut S) + Sync,
     ) -> Vec<S> {
         let mut answers = Vec::new();
-        let told = |bvh: &Self, trees: [usize; 2], pairs: &[(u32, u32)]| {
-            let mut answer = S::default();
-            if let Some(portion) = Portion::new(&bvh.trees, trees, pairs) {
-                visit(&portion, &mut answer);
-            }
-            answer
-        };
+        let trees = &self.trees;
         for list in self.lists.kept() {
-            let parts = list.pairs.par_chunks(PORTION);
-            let parts: Vec<S> = parts.map(|pairs| told(self, list.trees, pairs)).collect();
-            answers.extend(parts);
+            list.arrange(trees);
+            let numbers = list.trees;
+            let parts: Vec<(S, usize)> = list
+                .pairs
+                .par_chunks_mut(PORTION)
+                .map(|pairs| told((trees, numbers), (pairs, false), &visit))
+                .collect();
+            let mut kept = 0;
+            for (index, (answer, left)) in parts.into_iter().enumerate() {
+                answers.push(answer);
+                list.close_gap(&mut kept, index * PORTION, left);
+            }
+            list.pairs.truncate(kept);
         }
         let (mut jobs, mut opened) = (Vec::new(), Vec::new());
         for a in 0..self.trees.len() {
@@ -40,6 +64,34 @@ impl<T: Copy + Send + Sync> Bvh<T> {
                 let Some(start) = self.start(a, b) else {
                     continue;
                 };
+                let of = (self.trees.as_slice(), [a, b]);
+                let found_part = |mut found: Vec<Listed>, tests: u64| -> Part<S> {
+                    let (answer, left) = told(of, (&mut found, true), &visit);
+                    found.truncate(left);
+                    (answer, found, tests)
+                };
+                if let Some((both, turned)) = start.lopsided(&self.trees) {
+                    let leaves = both[1].leaves.len();
+                    let parts: Vec<Part<S>> = (0..leaves.div_ceil(LEAVES))
+                        .into_par_iter()
+                        .map(|part| {
+                            let some = part * LEAVES..leaves.min((part + 1) * LEAVES);
+                            let mut found = Vec::new();
+                            let tests = across(both, some, |large, small| {
+                                let (a, b) = if turned {
+                                    (small, large)
+                                } else {
+                                    (large, small)
+                                };
+                                found.push(Listed::new(a, b));
+                            });
+                            found_part(found, tests)
+                        })
+                        .collect();
+                    let list = self.lists.take([a, b]);
+                    self.collect((list, 0), parts, &mut answers);
+                    continue;
+                }
                 // Opened level by level; what is found on the way comes first.
                 jobs.clear();
                 jobs.push(start);
@@ -49,31 +101,45 @@ impl<T: Copy + Send + Sync> Bvh<T> {
                 while !jobs.is_empty() && jobs.len() < JOBS {
                     opened.clear();
                     for job in &jobs {
-                        tests += job.step(&self.trees, &mut opened, |a, b| found.push((a, b)));
+                        tests += job.step(&self.trees, &mut opened, |a, b| {
+                            found.push(Listed::new(a, b));
+                        });
                     }
                     std::mem::swap(&mut jobs, &mut opened);
                 }
-                answers.push(told(self, [a, b], found));
+                let (answer, left) = told(of, (found, true), &visit);
+                answers.push(answer);
+                found.truncate(left);
                 let chunk = jobs.len().div_ceil(JOBS).max(1);
                 let parts: Vec<Part<S>> = jobs
                     .par_chunks(chunk)
                     .map(|jobs| {
                         let mut found = Vec::new();
-                        let mut pair = |a, b| found.push((a, b));
+                        let mut pair = |a, b| found.push(Listed::new(a, b));
                         let run = |job: &Job| job.run(&self.trees, &mut pair);
                         let tests = jobs.iter().map(run).sum();
-                        (told(self, [a, b], &found), found, tests)
+                        found_part(found, tests)
                     })
                     .collect();
-                for (answer, more, others) in parts {
-                    answers.push(answer);
-                    found.extend_from_slice(&more);
-                    tests += others;
-                }
-                self.keep(list, tests);
+                self.collect((list, tests), parts, &mut answers);
             }
         }
         self.lists_complete();
         answers
+    }
+
+    /// Adds what several threads have found to a list and to the answers.
+    fn collect<S>(
+        &mut self,
+        (mut list, mut tests): (List, u64),
+        parts: Vec<Part<S>>,
+        answers: &mut Vec<S>,
+    ) {
+        for (answer, more, others) in parts {
+            answers.push(answer);
+            list.pairs.extend_from_slice(&more);
+            tests += others;
+        }
+        self.keep(list, tests);
     }
 }

@@ -3,13 +3,17 @@
 use super::block::{Block, WIDTH};
 use super::bounds::Bounds;
 use super::tree::NOBODY;
-use super::{Bvh, Leaf};
+use super::{Leaf, View};
 use crate::geometry::{Aabb, Ray};
-use glam::{DVec3, Vec3};
+use glam::{DVec3, Vec3, Vec4};
 
-/// How far from a probe boxes are at least; infinitely far if they are of no interest.
+/// Which of eight boxes are of interest, a bit for each, and how far away these are at least.
+type Near = (u32, [f32; WIDTH]);
+
+/// What boxes are compared with.
 trait Probe {
-    fn distances(&self, block: &Block) -> [f32; WIDTH];
+    /// The boxes that are no farther away than `limit`.
+    fn near(&self, block: &Block, limit: f32) -> Near;
 }
 
 /// Share by which distances are lessened: some eight roundings of `f32`.
@@ -31,61 +35,69 @@ fn inverse(component: f32) -> f32 {
 
 /// A box that moves along a ray.
 struct Line {
-    /// Its corners as it starts, rounded outward.
-    low: Vec3,
-    high: Vec3,
+    /// By axis: the corner that meets the near side of a box, rounded outward, and the one
+    /// that leaves the far side.
+    first: Vec3,
+    last: Vec3,
     /// One over the direction, whose largest component is 1.
     inverse: Vec3,
 }
 
+impl Line {
+    fn new(from: &Bounds, direction: Vec3) -> Self {
+        let inverse = Vec3::from_array(direction.to_array().map(inverse));
+        let forward = inverse.cmpgt(Vec3::ZERO);
+        Self {
+            first: Vec3::select(forward, from.max, from.min),
+            last: Vec3::select(forward, from.min, from.max),
+            inverse,
+        }
+    }
+}
+
 impl Probe for Line {
-    fn distances(&self, block: &Block) -> [f32; WIDTH] {
-        let mut enter = [0.0_f32; WIDTH];
-        let mut leave = [f32::INFINITY; WIDTH];
+    #[inline]
+    fn near(&self, block: &Block, limit: f32) -> Near {
+        let mut enter = [Vec4::ZERO; 2];
+        let mut leave = [Vec4::splat(limit); 2];
         for axis in 0..3 {
             let (min, max) = block.sides(axis);
             let inverse = self.inverse[axis];
-            for lane in 0..WIDTH {
-                let one = (min[lane] - self.high[axis]) * inverse;
-                let other = (max[lane] - self.low[axis]) * inverse;
-                let (low, high) = if one < other {
-                    (one, other)
-                } else {
-                    (other, one)
-                };
-                // Not `max` and `min`, which mind NaN, of which there is none.
-                enter[lane] = if low > enter[lane] { low } else { enter[lane] };
-                leave[lane] = if high < leave[lane] {
-                    high
-                } else {
-                    leave[lane]
-                };
+            let (near, far) = if inverse > 0.0 {
+                (min, max)
+            } else {
+                (max, min)
+            };
+            for half in 0..2 {
+                // No NaN but for boxes that hold nothing, which enter after all others leave.
+                enter[half] = enter[half].max((near[half] - self.first[axis]) * inverse);
+                leave[half] = leave[half].min((far[half] - self.last[axis]) * inverse);
             }
         }
-        let mut distances = [f32::INFINITY; WIDTH];
-        for lane in 0..WIDTH {
-            let nearest = enter[lane] - ROUNDING * enter[lane];
-            if nearest <= leave[lane] + ROUNDING * leave[lane].abs() {
-                distances[lane] = nearest;
-            }
+        let mut hits = 0;
+        for half in 0..2 {
+            enter[half] *= 1.0 - ROUNDING;
+            let late = leave[half] + ROUNDING * leave[half].abs();
+            hits |= enter[half].cmple(late).bitmask() << (4 * half);
         }
-        distances
+        (hits, eight(enter))
     }
+}
+
+/// Eight numbers of two halves.
+#[inline]
+fn eight([low, high]: [Vec4; 2]) -> [f32; WIDTH] {
+    let ([a, b, c, d], [e, f, g, h]) = (low.to_array(), high.to_array());
+    [a, b, c, d, e, f, g, h]
 }
 
 /// A box that stands.
 struct Region(Bounds);
 
 impl Probe for Region {
-    fn distances(&self, block: &Block) -> [f32; WIDTH] {
-        let hits = block.overlaps(&self.0);
-        std::array::from_fn(|lane| {
-            if hits >> lane & 1 == 1 {
-                0.0
-            } else {
-                f32::INFINITY
-            }
-        })
+    #[inline]
+    fn near(&self, block: &Block, _: f32) -> Near {
+        (block.overlaps(&self.0), [0.0; WIDTH])
     }
 }
 
@@ -93,29 +105,50 @@ impl Probe for Region {
 struct Place(Bounds);
 
 impl Probe for Place {
-    fn distances(&self, block: &Block) -> [f32; WIDTH] {
-        let mut squares = [0.0_f32; WIDTH];
+    #[inline]
+    fn near(&self, block: &Block, limit: f32) -> Near {
+        let mut squares = [Vec4::ZERO; 2];
         for axis in 0..3 {
             let (min, max) = block.sides(axis);
-            for lane in 0..WIDTH {
-                let below = min[lane] - self.0.max[axis];
-                let above = self.0.min[axis] - max[lane];
-                let off = below.max(above).max(0.0);
-                squares[lane] += off * off;
+            for half in 0..2 {
+                let below = min[half] - self.0.max[axis];
+                let above = self.0.min[axis] - max[half];
+                let off = below.max(above).max(Vec4::ZERO);
+                squares[half] += off * off;
             }
         }
-        squares.map(|square| square.sqrt() * (1.0 - ROUNDING))
+        let distances = eight(squares).map(|square| square.sqrt() * (1.0 - ROUNDING));
+        let mut hits = 0;
+        for (lane, distance) in distances.iter().enumerate() {
+            // What holds nothing is infinitely far away.
+            let is_near = *distance <= limit && *distance < f32::INFINITY;
+            hits |= u32::from(is_near) << lane;
+        }
+        (hits, distances)
     }
 }
 
-impl<T: Copy> Bvh<T> {
+/// A node or leaf that is to be looked at.
+#[derive(Debug, Clone, Copy)]
+struct Entry {
+    distance: f32,
+    /// Levels below the node's own, and its own; zero for a leaf.
+    above: u32,
+    index: u32,
+}
+
+/// Entries at a time: at most seven more than are taken for each of the eleven levels that
+/// 2³² leaves make.
+const STACK: usize = 96;
+
+impl<T: Copy + Sync> View<'_, T> {
     /// The bodies whose boxes are nearest to a point, which is given with its
     /// rounding as a box; nearest first, roughly.
     ///
     /// `visit` answers with the distance, in metres, beyond which nothing is of
     /// interest any more.
     pub fn near(&self, place: &Aabb, mut visit: impl FnMut(Leaf<'_, T>) -> f64) {
-        let place = Place(Bounds::around(place, self.origin));
+        let place = Place(Bounds::around(place, self.bvh.origin));
         self.search(&place, f32::INFINITY, |leaf| {
             (visit(leaf) * (1.0 + 1e-6)) as f32
         });
@@ -126,7 +159,7 @@ impl<T: Copy> Bvh<T> {
     /// Boxes are those of the last [`update`](Self::update); bodies that wait are
     /// visited in any case.
     pub fn overlapping(&self, aabb: &Aabb, mut visit: impl FnMut(Leaf<'_, T>)) {
-        let region = Region(Bounds::around(aabb, self.origin));
+        let region = Region(Bounds::around(aabb, self.bvh.origin));
         self.search(&region, f32::INFINITY, |leaf| {
             visit(leaf);
             f32::INFINITY
@@ -151,13 +184,9 @@ impl<T: Copy> Bvh<T> {
                 min: ray.origin - half_extents,
                 max: ray.origin + half_extents,
             },
-            self.origin,
+            self.bvh.origin,
         );
-        let line = Line {
-            low: from.min,
-            high: from.max,
-            inverse: Vec3::from_array(direction.to_array().map(inverse)),
-        };
+        let line = Line::new(&from, direction);
         // Distances count in scaled directions; rounded up.
         let scaled = |fraction: f64| (fraction * scale * (1.0 + 1e-6)) as f32;
         self.search(&line, scaled(until), |leaf| scaled(visit(leaf)));
@@ -170,7 +199,7 @@ impl<T: Copy> Bvh<T> {
         mut limit: f32,
         mut visit: impl FnMut(Leaf<'_, T>) -> f32,
     ) {
-        for (_, slot, data) in &self.waiting {
+        for (_, slot, data) in &self.bvh.waiting {
             let id = super::LeafId::WAITING;
             limit = limit.min(visit(Leaf {
                 id,
@@ -178,43 +207,80 @@ impl<T: Copy> Bvh<T> {
                 data,
             }));
         }
-        let mut stack: Vec<(f32, u32, u32)> = Vec::with_capacity(64);
-        for (number, tree) in (0..).zip(&self.trees) {
-            if tree.live() == 0 {
-                continue;
-            }
-            stack.clear();
-            stack.push((0.0, tree.levels.len() as u32, 0));
-            while let Some((distance, above, index)) = stack.pop() {
-                if distance > limit {
-                    continue;
-                }
-                if above == 0 {
+        for (number, tree) in self.bvh.trees.iter().enumerate() {
+            let levels = match self.moment {
+                Some(moment) => moment.trees.get(number),
+                None => Some(&tree.levels),
+            };
+            if let Some(levels) = levels
+                && tree.live() > 0
+            {
+                search_levels(levels, probe, &mut limit, |index| {
+                    let slot = *tree.leaves.get(index as usize)?;
+                    let data = tree.data.get(index as usize)?;
                     let id = super::LeafId {
-                        tree: number,
+                        tree: number as u32,
                         leaf: index,
                     };
-                    if let Some(leaf) = self.at(id)
-                        && leaf.slot != NOBODY
-                    {
-                        limit = limit.min(visit(leaf));
-                    }
-                    continue;
-                }
-                let level = above - 1;
-                let blocks = tree.levels.get(level as usize);
-                let Some(block) = blocks.and_then(|blocks| blocks.get(index as usize)) else {
-                    continue;
-                };
-                let start = stack.len();
-                for (lane, distance) in (0..).zip(probe.distances(block)) {
-                    if distance <= limit && distance < f32::INFINITY {
-                        stack.push((distance, level, index * WIDTH as u32 + lane));
-                    }
-                }
-                // The nearest is taken first; of equally near ones the first.
-                stack[start..].sort_unstable_by(|a, b| b.0.total_cmp(&a.0).then(b.2.cmp(&a.2)));
+                    (slot != NOBODY).then(|| visit(Leaf { id, slot, data }))
+                });
             }
+        }
+    }
+}
+
+/// Visits the leaves below these levels.
+fn search_levels(
+    levels: &[Vec<Block>],
+    probe: &impl Probe,
+    limit: &mut f32,
+    mut visit: impl FnMut(u32) -> Option<f32>,
+) {
+    let root = Entry {
+        distance: 0.0,
+        above: levels.len() as u32,
+        index: 0,
+    };
+    let mut stack = [root; STACK];
+    let mut count = 1_usize;
+    while let Some(&Entry {
+        distance,
+        above,
+        index,
+    }) = count.checked_sub(1).and_then(|last| stack.get(last))
+    {
+        count -= 1;
+        if distance > *limit {
+            continue;
+        }
+        let Some(level) = above.checked_sub(1) else {
+            if let Some(bound) = visit(index) {
+                *limit = limit.min(bound);
+            }
+            continue;
+        };
+        let blocks = levels.get(level as usize);
+        let Some(block) = blocks.and_then(|blocks| blocks.get(index as usize)) else {
+            continue;
+        };
+        let (mut hits, distances) = probe.near(block, *limit);
+        let start = count;
+        while hits != 0 {
+            let lane = hits.trailing_zeros();
+            hits &= hits - 1;
+            let entry = Entry {
+                distance: distances[lane as usize % WIDTH],
+                above: level,
+                index: index * WIDTH as u32 + lane,
+            };
+            // The nearest is to be taken first, so it comes last; of equally near ones the first.
+            let mut place = count.min(STACK - 1);
+            while place > start && stack[place - 1].distance <= entry.distance {
+                stack[place] = stack[place - 1];
+                place -= 1;
+            }
+            stack[place] = entry;
+            count = (count + 1).min(STACK);
         }
     }
 }

@@ -39,7 +39,7 @@ pub(super) struct Tree<T> {
     pub(super) work: f64,
 }
 
-impl<T: Copy> Tree<T> {
+impl<T: Copy + Sync> Tree<T> {
     pub(super) fn new(mobility: Mobility) -> Self {
         Self {
             mobility,
@@ -102,33 +102,11 @@ impl<T: Copy> Tree<T> {
     }
 
     /// Fits all boxes to those of the bodies.
-    pub(super) fn fit(&mut self, bounds: impl Fn(&T) -> Bounds) {
-        let Some((lowest, upper)) = self.levels.split_first_mut() else {
-            return;
-        };
-        let bodies = self.leaves.chunks(WIDTH).zip(self.data.chunks(WIDTH));
-        for (block, (leaves, data)) in lowest.iter_mut().zip(bodies) {
-            for (lane, (&slot, data)) in leaves.iter().zip(data).enumerate() {
-                if slot != NOBODY {
-                    block.set(lane, &bounds(data));
-                }
-            }
-        }
-        let mut surface = 0.0;
-        let mut below = &mut *lowest;
-        for level in upper {
-            for (block, children) in level.iter_mut().zip(below.chunks(WIDTH)) {
-                for (lane, child) in children.iter().enumerate() {
-                    let bounds = child.union();
-                    surface += bounds.surface();
-                    block.set(lane, &bounds);
-                }
-            }
-            below = level;
-        }
-        self.surface = surface;
+    pub(super) fn fit(&mut self, bounds: impl Fn(&T) -> Bounds + Sync) {
+        let bodies = (self.leaves.as_slice(), self.data.as_slice());
+        self.surface = fit(&mut self.levels, bodies, bounds);
         if self.arranged_surface <= 0.0 {
-            self.arranged_surface = surface;
+            self.arranged_surface = self.surface;
         }
     }
 
@@ -177,4 +155,54 @@ impl<T: Copy> Tree<T> {
             + self.leaves.capacity() * size_of::<u32>()
             + self.data.capacity() * size_of::<T>()
     }
+}
+
+/// So many blocks of leaves are worth handing to another thread.
+#[cfg(feature = "parallel")]
+const HANDED: usize = 256;
+
+/// Fits boxes over leaves with these slots and data; answers with the surface of all nodes.
+pub(super) fn fit<T: Sync>(
+    levels: &mut [Vec<Block>],
+    (leaves, data): (&[u32], &[T]),
+    bounds: impl Fn(&T) -> Bounds + Sync,
+) -> f32 {
+    let Some((lowest, upper)) = levels.split_first_mut() else {
+        return 0.0;
+    };
+    let fit_some = |(blocks, (leaves, data)): (&mut [Block], (&[u32], &[T]))| {
+        let bodies = leaves.chunks(WIDTH).zip(data.chunks(WIDTH));
+        for (block, (leaves, data)) in blocks.iter_mut().zip(bodies) {
+            for (lane, (&slot, data)) in leaves.iter().zip(data).enumerate() {
+                if slot != NOBODY {
+                    block.set(lane, &bounds(data));
+                }
+            }
+        }
+    };
+    #[cfg(feature = "parallel")]
+    if lowest.len() > 2 * HANDED && rayon::current_num_threads() > 1 {
+        use rayon::prelude::*;
+        let bodies = leaves
+            .par_chunks(WIDTH * HANDED)
+            .zip(data.par_chunks(WIDTH * HANDED));
+        lowest.par_chunks_mut(HANDED).zip(bodies).for_each(fit_some);
+    } else {
+        fit_some((lowest, (leaves, data)));
+    }
+    #[cfg(not(feature = "parallel"))]
+    fit_some((lowest, (leaves, data)));
+    let mut surface = 0.0;
+    let mut below = &mut *lowest;
+    for level in upper {
+        for (block, children) in level.iter_mut().zip(below.chunks(WIDTH)) {
+            for (lane, child) in children.iter().enumerate() {
+                let bounds = child.union();
+                surface += bounds.surface();
+                block.set(lane, &bounds);
+            }
+        }
+        below = level;
+    }
+    surface
 }

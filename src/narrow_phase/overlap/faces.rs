@@ -27,14 +27,14 @@ const NEAR: f64 = 1e-7;
 const MAX_EDGES: usize = 64;
 
 /// The least of the widths shown to it; of widths that differ by rounding, the first.
-struct Least<'a> {
+pub(super) struct Least<'a> {
     pair: &'a Pair<'a>,
     rounding: f64,
-    best: Option<Width>,
+    pub(super) best: Option<Width>,
 }
 
 impl<'a> Least<'a> {
-    fn new(pair: &'a Pair<'a>) -> Self {
+    pub(super) fn new(pair: &'a Pair<'a>) -> Self {
         Self {
             pair,
             rounding: pair.rounding(),
@@ -42,12 +42,12 @@ impl<'a> Least<'a> {
         }
     }
 
-    fn beats(&self, width: f64) -> bool {
+    pub(super) fn beats(&self, width: f64) -> bool {
         self.best
             .is_none_or(|best| width < best.width - self.rounding)
     }
 
-    fn show(&mut self, direction: DVec3) {
+    pub(super) fn show(&mut self, direction: DVec3) {
         // A normal that could not be made is zero.
         if direction != DVec3::ZERO {
             let shown = self.pair.width(direction);
@@ -86,22 +86,24 @@ pub(super) fn least(pair: &Pair) -> Option<Width> {
 }
 
 /// An edge, and the arc of directions along which it is the support.
-struct Arc {
+#[derive(Clone, Copy, Default)]
+pub(super) struct Arc {
     /// A point of the edge.
-    point: DVec3,
+    pub(super) point: DVec3,
     /// Unit vector along the edge.
-    along: DVec3,
-    ends: [DVec3; 2],
+    pub(super) along: DVec3,
+    pub(super) ends: [DVec3; 2],
 }
 
 impl Arc {
-    fn crossing(&self, other: &Self) -> Option<DVec3> {
+    #[inline]
+    pub(super) fn crossing(&self, other: &Self) -> Option<DVec3> {
         let [a, b] = self.ends;
         let [c, d] = other.ends;
-        let (c_side, d_side) = (c.dot(self.along), d.dot(self.along));
-        let (a_side, b_side) = (a.dot(other.along), b.dot(other.along));
         // Both ends of each on opposite sides of the other's plane.
-        if c_side * d_side > CROSSING || a_side * b_side > CROSSING {
+        if c.dot(self.along) * d.dot(self.along) > CROSSING
+            || a.dot(other.along) * b.dot(other.along) > CROSSING
+        {
             return None;
         }
         let cross = self.along.cross(other.along);

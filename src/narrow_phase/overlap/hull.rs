@@ -53,7 +53,7 @@ impl<'a> Hull<'a> {
         (0..self.face_count()).map(|face| self.face_normal(face))
     }
 
-    fn face_count(&self) -> u32 {
+    pub(super) fn face_count(&self) -> u32 {
         match self.shape {
             Shape::Sphere(_) => 0,
             Shape::Cuboid(_) => 6,

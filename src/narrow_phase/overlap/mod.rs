@@ -11,6 +11,7 @@ mod boxes;
 mod enclose;
 mod expand;
 mod faces;
+mod few;
 mod hull;
 mod order;
 mod pair;
@@ -125,7 +126,7 @@ fn in_order(a: &Shape, pose_a: &Pose, b: &Shape, pose_b: &Pose) -> Option<Overla
         }
         _ => {
             let pair = Pair::new(a, pose_a, b, pose_b, touch)?;
-            if separate::apart(&pair) {
+            if !few::are_few(&pair) && separate::apart(&pair) {
                 return None;
             }
             pair.witness(pair.least()?)

@@ -2,7 +2,7 @@
 
 use super::expand::{self, Expansion};
 use super::hull::Hull;
-use super::{Width, enclose, faces};
+use super::{Width, enclose, faces, few};
 use crate::geometry::{Pose, Shape};
 use glam::DVec3;
 
@@ -66,6 +66,11 @@ impl<'a> Pair<'a> {
 
     /// The least width over all directions; none if the pair is apart or in touch.
     pub(super) fn least(&self) -> Option<Width> {
+        if few::are_few(self)
+            && let Some(least) = few::least(self)
+        {
+            return (least.width > self.touch).then_some(least);
+        }
         let least = match enclose::tetrahedron(self).map(|start| expand::least(self, start)) {
             Some(Expansion::Apart) => return None,
             Some(Expansion::Least(near)) => faces::sharpened(self, near),
@@ -149,6 +154,31 @@ mod tests {
             squeeze * ((1.0 - z * z).sqrt() * DVec3::new(x, y, 0.0) + z * DVec3::Z)
         });
         Polytope::from_points(points).unwrap().into()
+    }
+
+    #[test]
+    fn small_hulls_and_every_face_agree() {
+        let (mut hits, mut apart) = (0, 0);
+        let flat = DVec3::new(1.0, 0.7, 0.05);
+        for (step, count) in (0..600).zip([4, 6, 12, 16].into_iter().cycle()) {
+            let step = f64::from(step);
+            let squeeze = if step % 3.0 == 0.0 { flat } else { DVec3::ONE };
+            let (a, b) = (hull(count, squeeze), hull(20 - count, DVec3::ONE));
+            let axis = DVec3::new((0.7 * step).sin(), (1.1 * step).cos(), 0.3);
+            let turn = DQuat::from_axis_angle(axis.normalize(), 0.37 * step);
+            let pose = Pose::new(2.2 * (0.13 * step).sin() * axis, turn);
+            let pair = Pair::new(&a, &pose, &b, &Pose::IDENTITY, 1e-12).unwrap();
+            assert!(few::are_few(&pair));
+            let slow = faces::least(&pair).map_or(0.0, |least| least.width.max(0.0));
+            let fast = pair.least().map_or(0.0, |least| least.width);
+            assert!((slow - fast).abs() < 1e-14, "{step}: {slow} {fast}");
+            if fast > 0.0 {
+                hits += 1;
+            } else {
+                apart += 1;
+            }
+        }
+        assert!(hits > 100 && apart > 100, "{hits} {apart}");
     }
 
     #[test]

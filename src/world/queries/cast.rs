@@ -50,7 +50,7 @@ impl CollisionWorld {
         // Its middle is rounded; so the half extents are to both sides.
         let half = (around.max - ray.origin).max(ray.origin - around.min);
         let mut first: Option<BodyHit> = None;
-        self.bvh.along((&ray, half), 1.0, |leaf| {
+        self.view(1).along((&ray, half), 1.0, |leaf| {
             if let Some((id, body, other)) = self.present(leaf.slot, filter)
                 && let Some(found) = meet((shape, &pose), (&body.shape, &other), motion)
             {
@@ -90,19 +90,20 @@ impl CollisionWorld {
     ) -> Result<Vec<BodyHit>, QueryError> {
         let pose = checked_pose(pose)?;
         let mut hits = Vec::new();
-        self.bvh.overlapping(&grown(&shape.aabb(&pose)), |leaf| {
-            if let Some((id, body, other)) = self.present(leaf.slot, filter)
-                && let Some(found) = overlap(shape, &pose, &body.shape, &other)
-            {
-                hits.push(BodyHit {
-                    body: id,
-                    distance: -found.depth,
-                    point: found.point,
-                    normal: Some(found.direction),
-                    feature: Some(found.feature_b),
-                });
-            }
-        });
+        self.view(1)
+            .overlapping(&grown(&shape.aabb(&pose)), |leaf| {
+                if let Some((id, body, other)) = self.present(leaf.slot, filter)
+                    && let Some(found) = overlap(shape, &pose, &body.shape, &other)
+                {
+                    hits.push(BodyHit {
+                        body: id,
+                        distance: -found.depth,
+                        point: found.point,
+                        normal: Some(found.direction),
+                        feature: Some(found.feature_b),
+                    });
+                }
+            });
         hits.sort_unstable_by_key(|hit| hit.body);
         Ok(hits)
     }

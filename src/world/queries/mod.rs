@@ -4,10 +4,12 @@ mod cast;
 mod near;
 mod ray;
 
+use crate::broad_phase::View;
 use crate::error::QueryError;
 use crate::geometry::{Feature, Pose};
 use crate::math::domain;
 use crate::tolerance::MAX_COORDINATE;
+use crate::world::tracks::{Span, Track};
 use crate::world::{BodyId, CollisionWorld, Groups};
 use glam::DVec3;
 use std::fmt;
@@ -69,6 +71,15 @@ impl fmt::Debug for QueryFilter<'_> {
 }
 
 impl CollisionWorld {
+    /// The boxes that so many queries look at.
+    fn view(&self, queries: usize) -> View<'_, Track> {
+        let now = Span::at(self.time);
+        let moment = self.looks.moment((queries, self.len()), |room| {
+            self.bvh.moment(room, |track| track.swept(now))
+        });
+        self.bvh.view(moment)
+    }
+
     /// The body in a slot and where it is, if the filter lets it through.
     fn present(
         &self,

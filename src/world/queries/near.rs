@@ -56,7 +56,7 @@ impl CollisionWorld {
             min: point,
             max: point,
         });
-        self.bvh.near(&place, |leaf| {
+        self.view(1).near(&place, |leaf| {
             if let Some((id, body, pose)) = self.present(leaf.slot, filter)
                 && let Some(found) = to_point(point, &body.shape, &pose)
             {

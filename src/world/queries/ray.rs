@@ -1,7 +1,7 @@
 //! Rays into a world.
 
 use super::{BodyHit, QueryFilter, nearer, order};
-use crate::broad_phase::Leaf;
+use crate::broad_phase::{Leaf, View};
 use crate::error::QueryError;
 use crate::geometry::Ray;
 use crate::math::domain;
@@ -78,7 +78,8 @@ impl CollisionWorld {
         reach: f64,
         filter: &QueryFilter<'_>,
     ) -> Result<Option<BodyHit>, QueryError> {
-        Ok(self.first_along(&Cast::new(ray, reach)?, filter))
+        let cast = Cast::new(ray, reach)?;
+        Ok(self.first_along(self.view(1), &cast, filter))
     }
 
     /// All bodies that a ray meets within `reach` metres, in the order in which it
@@ -94,7 +95,7 @@ impl CollisionWorld {
     ) -> Result<Vec<BodyHit>, QueryError> {
         let cast = Cast::new(ray, reach)?;
         let mut hits = Vec::new();
-        self.bvh
+        self.view(1)
             .along((&cast.ray, DVec3::ZERO), cast.until, |leaf| {
                 hits.extend(self.hit(&leaf, &cast, filter));
                 cast.until
@@ -116,26 +117,35 @@ impl CollisionWorld {
     ) -> Result<Vec<Option<BodyHit>>, QueryError> {
         let casts = rays.iter().map(|ray| Cast::new(ray, reach));
         let casts: Vec<Cast> = casts.collect::<Result<_, _>>()?;
+        let view = self.view(casts.len());
         #[cfg(feature = "parallel")]
         if rayon::current_num_threads() > 1 {
             use rayon::prelude::*;
             let hits = casts.par_iter().with_min_len(64);
-            return Ok(hits.map(|cast| self.first_along(cast, filter)).collect());
+            return Ok(hits
+                .map(|cast| self.first_along(view, cast, filter))
+                .collect());
         }
-        let hits = casts.iter().map(|cast| self.first_along(cast, filter));
+        let hits = casts
+            .iter()
+            .map(|cast| self.first_along(view, cast, filter));
         Ok(hits.collect())
     }
 
-    fn first_along(&self, cast: &Cast, filter: &QueryFilter<'_>) -> Option<BodyHit> {
+    fn first_along(
+        &self,
+        view: View<'_, Track>,
+        cast: &Cast,
+        filter: &QueryFilter<'_>,
+    ) -> Option<BodyHit> {
         let mut first: Option<BodyHit> = None;
-        self.bvh
-            .along((&cast.ray, DVec3::ZERO), cast.until, |leaf| {
-                if let Some(hit) = self.hit(&leaf, cast, filter) {
-                    first = Some(nearer(first, hit));
-                }
-                // A little beyond, for a body that is as near and has a lower id.
-                first.map_or(cast.until, |first| first.distance / cast.length)
-            });
+        view.along((&cast.ray, DVec3::ZERO), cast.until, |leaf| {
+            if let Some(hit) = self.hit(&leaf, cast, filter) {
+                first = Some(nearer(first, hit));
+            }
+            // A little beyond, for a body that is as near and has a lower id.
+            first.map_or(cast.until, |first| first.distance / cast.length)
+        });
         first
     }
 
