@@ -182,6 +182,30 @@ fn boxes_whose_faces_are_parallel_but_for_a_hair_share_the_point() {
     );
 }
 
+/// The crossing of two edges that lie in faces tilted by 4e-11 against each other came out 6e-7 of the
+/// size beyond one's end.
+#[test]
+fn cubes_whose_faces_are_tilted_by_a_hair_share_the_point() {
+    let cube = bodies::cuboid(DVec3::splat(0.5203184869751887));
+    let turns = [
+        DQuat::from_xyzw(
+            -2.2112182104970397e-11,
+            1.0549212548385123e-11,
+            -1.7272500676280517e-11,
+            1.0,
+        ),
+        DQuat::IDENTITY,
+    ];
+    let between = v(3.970822294476856, -1.7963551789502843, -2.7322294002083236);
+    turned(
+        &cube,
+        &cube,
+        turns,
+        between,
+        v(-0.5007582714667631, 0.22653735625131088, 0.2133257794583872),
+    );
+}
+
 /// In its own plane: what is left of the difference's thickness is rounding.
 #[test]
 fn a_triangle_that_slides_onto_itself_in_its_plane() {

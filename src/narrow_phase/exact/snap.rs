@@ -16,8 +16,8 @@ use glam::{DVec2, DVec3};
 /// turned by a hair from a face is taken for part of it.
 pub(super) const FEATURE: f64 = 1e-12;
 
-/// How many times as much where features seem not to meet.
-const WIDE: f64 = 16.0;
+/// How many times as much where features seem not to meet, one after the other.
+const WIDE: [f64; 2] = [16.0, 256.0];
 
 /// Up to this many vertices are all looked at; of more, only those around the farthest.
 const FEW: usize = 24;
@@ -187,11 +187,12 @@ impl Pair<'_> {
         let shared = patch::shared(&top_a, &top_b, self.size).or_else(|| {
             // Of faces that are parallel but for a hair rounding tells which edges meet: what
             // they share is sought among all that is nearly as far along the normal.
-            let wide = WIDE * FEATURE;
-            let a = summit_within(&self.a, -normal, [a0], wide);
-            let b = summit_within(&self.b, normal, [b0], wide);
-            let (a, b) = (flat(&self.a, &a, to_a), flat(&self.b, &b, -origin));
-            patch::shared(&a, &b, self.size)
+            WIDE.into_iter().find_map(|wide| {
+                let a = summit_within(&self.a, -normal, [a0], wide * FEATURE);
+                let b = summit_within(&self.b, normal, [b0], wide * FEATURE);
+                let (a, b) = (flat(&self.a, &a, to_a), flat(&self.b, &b, -origin));
+                patch::shared(&a, &b, self.size)
+            })
         });
         let shared = shared.unwrap_or_else(|| patch::middle(&top_a, &top_b, self.size));
         Place::OnB(origin + (shared.x * x + shared.y * y))
