@@ -75,6 +75,11 @@ impl FrameMotion {
         frame
     }
 
+    /// Whether it neither sets out nor stops meanwhile, nor turns round.
+    pub(crate) fn is_even(&self) -> bool {
+        self.deviation <= 0.0
+    }
+
     /// Seconds of flight between two fractions, rests left out.
     pub(super) fn flying(&self, from: f64, to: f64) -> f64 {
         let within = |fraction: f64| fraction.max(self.rests_until).min(self.rests_from);

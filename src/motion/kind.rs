@@ -272,6 +272,12 @@ impl Motion {
 
     /// The motion, if all its numbers are within their domains.
     pub(crate) fn checked(self) -> Result<Self, MotionError> {
+        self.check()?;
+        Ok(self)
+    }
+
+    /// What [`checked`](Self::checked) checks.
+    pub(crate) fn check(&self) -> Result<(), MotionError> {
         match &self.kind {
             Kind::Fixed { position } => {
                 domain::vector("position", *position, MAX_COORDINATE)?;
@@ -283,7 +289,7 @@ impl Motion {
             }
         }
         // Turnings are checked when they are made.
-        Ok(self)
+        Ok(())
     }
 
     /// Whether the body never moves, nor turns.

@@ -108,14 +108,19 @@ impl Body {
     /// the sphere is that around the axis's point nearest to the middle of the
     /// body. One that faces its way keeps only its origin where it is.
     pub(crate) fn hub(&self) -> (DVec3, f64) {
+        self.hub_turned(self.orientation)
+    }
+
+    /// The same of the body turned by another orientation.
+    pub(crate) fn hub_turned(&self, orientation: DQuat) -> (DVec3, f64) {
         let (centre, radius) = (self.shape.centre(), self.shape.max_dist());
         // Turning things rounds them by a few ulp of their size.
         let grown = |radius: f64, size: f64| radius + 16.0 * f64::EPSILON * (radius + size);
         match self.motion.turning() {
-            Turning::Not => (self.orientation * centre, radius),
+            Turning::Not => (orientation * centre, radius),
             Turning::Spin(spin) => {
-                let point = self.orientation * spin.point();
-                let arm = self.orientation * (centre - spin.point());
+                let point = orientation * spin.point();
+                let arm = orientation * (centre - spin.point());
                 let along = arm.dot(spin.axis()) * spin.axis();
                 let reach = radius + (arm - along).length();
                 let size = spin.point().length() + centre.length();
@@ -127,10 +132,16 @@ impl Body {
 
     /// The body, if all that was left unchecked is in order.
     pub(crate) fn checked(mut self) -> Result<Self, BodyError> {
+        self.orientation = self.check()?;
+        Ok(self)
+    }
+
+    /// What [`checked`](Self::checked) checks; its orientation at unit length.
+    pub(crate) fn check(&self) -> Result<DQuat, BodyError> {
         /// How far a quaternion may be from unit length. Products of many
         /// rotations drift by an ulp each, even in `f32` below this.
         const DRIFT: f64 = 1e-3;
-        self.motion = self.motion.checked()?;
+        self.motion.check()?;
         let length = self.orientation.length();
         let field = "orientation.length";
         if !length.is_finite() {
@@ -156,7 +167,6 @@ impl Body {
             }
             .into());
         }
-        self.orientation = self.orientation.normalize();
-        Ok(self)
+        Ok(self.orientation.normalize())
     }
 }

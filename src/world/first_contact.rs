@@ -1,14 +1,14 @@
 //! The first contact of two bodies without a world.
 
-use crate::error::{FirstContactError, StepError};
+use crate::error::{BodyError, FirstContactError, StepError};
 use crate::geometry::Feature;
 use crate::math::domain;
 use crate::motion::FrameMotion;
 use crate::tolerance::{MAX_TIME_STEP, MIN_TIME_STEP};
 use crate::world::pair::{Mover, PairEffort, Undecided, examine};
 use crate::world::solver::Solver;
-use crate::world::{Body, ContactKind, Method, WorldConfig};
-use glam::DVec3;
+use crate::world::{Body, ContactKind, Method};
+use glam::{DQuat, DVec3};
 
 /// A contact of a pair, before it is known which bodies these are in a world.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -51,15 +51,25 @@ impl PairContact {
 }
 
 /// A body that is examined outside of a world.
-struct Guest {
-    body: Body,
+struct Guest<'a> {
+    body: &'a Body,
+    orientation: DQuat,
     frame: FrameMotion,
     points: Vec<DVec3>,
 }
 
-impl Guest {
+impl<'a> Guest<'a> {
+    fn new(body: &'a Body, horizon: f64, solver: &Solver) -> Result<Self, BodyError> {
+        Ok(Self {
+            body,
+            orientation: body.check()?,
+            frame: FrameMotion::new(body.motion(), 0.0, horizon),
+            points: solver.surface_points(body.shape()),
+        })
+    }
+
     fn mover(&self) -> Mover<'_> {
-        Mover::of((&self.body, self.body.hub()), &self.frame, &self.points)
+        Mover::of(self.body, self.orientation, &self.frame, &self.points)
     }
 }
 
@@ -95,23 +105,15 @@ pub fn first_contact(
     horizon: f64,
     method: &Method,
 ) -> Result<Option<PairContact>, FirstContactError> {
-    let config = WorldConfig {
-        method: *method,
-        ..WorldConfig::default()
+    if let Method::Rays(rays) = method {
+        rays.checked()?;
     }
-    .checked()?;
-    let mut solver = Solver::new(config.method);
+    let mut solver = Solver::new(*method);
     domain::within("horizon", horizon, MIN_TIME_STEP, MAX_TIME_STEP).map_err(StepError::from)?;
-    let guests = [a, b].map(|body| -> Result<Guest, FirstContactError> {
-        let body = body.clone().checked()?;
-        Ok(Guest {
-            frame: FrameMotion::new(body.motion(), 0.0, horizon),
-            points: solver.surface_points(body.shape()),
-            body,
-        })
-    });
-    let [a, b] = guests;
-    let (a, b) = (a?, b?);
+    let (a, b) = (
+        Guest::new(a, horizon, &solver)?,
+        Guest::new(b, horizon, &solver)?,
+    );
     let (a, b) = (a.mover(), b.mover());
     let mut effort = PairEffort::default();
     let finding = examine(&mut solver, &a, &b, &mut effort);

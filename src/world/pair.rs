@@ -42,15 +42,17 @@ impl<'a> Mover<'a> {
         }
     }
 
-    /// A body outside of a world, with its [hub](Body::hub).
+    /// A body outside of a world, turned as it is at unit length.
     pub(crate) fn of(
-        (body, (centre_offset, reach)): (&'a Body, (DVec3, f64)),
+        body: &'a Body,
+        orientation: DQuat,
         frame: &'a FrameMotion,
         points: &'a [DVec3],
     ) -> Self {
+        let (centre_offset, reach) = body.hub_turned(orientation);
         Self {
             shape: body.shape(),
-            orientation: body.orientation(),
+            orientation,
             motion: body.motion(),
             frame,
             centre_offset,
@@ -70,6 +72,11 @@ impl<'a> Mover<'a> {
     /// Whether it does more in the frame than move straight.
     fn bends(&self) -> bool {
         self.frame.curved || self.turns()
+    }
+
+    /// Whether it moves straight and evenly all through the frame.
+    fn is_straight(&self) -> bool {
+        !self.bends() && self.frame.is_even()
     }
 
     /// Whether it turns so that it can be seen: a ball about its centre cannot.
@@ -151,10 +158,22 @@ pub(crate) fn examine(
         effort,
         halvings: 0,
     };
+    // Most pairs are told apart here, and of straight ones nothing else need be asked.
+    let motions = [a, b].map(|mover| mover.displacement(0.0, 1.0));
+    let straight = exact && a.is_straight() && b.is_straight();
+    if straight
+        && early_out::reject(pair.between(0.0), motions[0] - motions[1], pair.reach()).is_some()
+    {
+        return Ok(None);
+    }
     if pair.stretching.reports_overlaps
         && let Some(contact) = pair.overlap_at(0.0)
     {
         return Ok(Some(contact.into()));
+    }
+    if straight {
+        pair.effort.stretches += 1;
+        return Ok(pair.cast(0.0, 1.0, motions));
     }
     if exact && (a.bends() || b.bends()) {
         return pair.examine_curved();
@@ -308,12 +327,11 @@ impl Pair<'_> {
         if early_out::reject(between, motion, self.reach() + deviation).is_some() {
             return None;
         }
-        let strays = self
-            .stretching
-            .chords
-            .is_some_and(|share| deviation > share * self.leniency() * self.reach());
+        let strays = deviation > 0.0
+            && (self.stretching.chords)
+                .is_some_and(|share| deviation > share * self.leniency() * self.reach());
         let turn = self.a.turn(from, to) + self.b.turn(from, to);
-        if strays || turn > TURN * self.leniency() {
+        if strays || turn > TURN && turn > TURN * self.leniency() {
             let middle = 0.5 * (from + to);
             if from < middle && middle < to {
                 self.halvings += 1;
