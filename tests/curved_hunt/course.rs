@@ -139,6 +139,22 @@ impl Course {
         }
     }
 
+    /// The same between two times: nothing before it sets out and after it has come.
+    pub(crate) fn speed_between(&self, from: f64, to: f64) -> f64 {
+        let (pace, length) = match &self.way {
+            Way::Free { velocity, .. } => return velocity.length(),
+            Way::Line { from, to, pace } => (pace, from.distance(*to)),
+            Way::Curve { route, pace } => (pace, route.length()),
+        };
+        let flown = pace.offset + pace.speed * (from - pace.wait).max(0.0);
+        let is_over = pace.at_end == AtEnd::Rest && flown > length;
+        if to < pace.wait || is_over {
+            0.0
+        } else {
+            pace.speed
+        }
+    }
+
     /// The hub in the body's own frame.
     pub(crate) fn pivot(&self) -> DVec3 {
         match &self.turning {

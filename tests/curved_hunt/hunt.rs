@@ -34,7 +34,7 @@ struct Count {
 fn random_pairs_meet_when_the_oracle_says() {
     let mut count = Count::default();
     let mut wrong = Vec::new();
-    let seeds = seeds(150);
+    let seeds = seeds(400);
     let all = seeds.end - seeds.start;
     for seed in seeds {
         let pair = Pair::new(Draw::new(seed));
@@ -81,9 +81,9 @@ fn random_pairs_meet_when_the_oracle_says() {
     );
     let share = |part: u64| part as f64 / all as f64;
     assert!(
-        share(count.hits) > 0.2 && share(count.misses) > 0.1,
+        all < 100 || share(count.hits) > 0.15 && share(count.misses) > 0.3,
         "lopsided: {count:?}"
     );
-    assert!(share(count.unknown) < 0.02, "{count:?}");
-    assert!(share(count.undecided) < 0.02, "{count:?}");
+    assert!(100 * count.unknown <= 2 * all + 100, "{count:?}");
+    assert!(100 * count.undecided <= all + 100, "{count:?}");
 }

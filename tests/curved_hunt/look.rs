@@ -25,7 +25,7 @@ impl Actor {
 const LOOKS: f64 = 4096.0;
 
 /// Looks after which it is given up: they slide along each other.
-const MOST: usize = 400_000;
+const MOST: usize = 50_000;
 
 /// What was seen of two bodies.
 pub(crate) struct Look {
@@ -48,7 +48,6 @@ struct Eye<'a> {
     actors: [&'a Actor; 2],
     horizon: f64,
     arms: [f64; 2],
-    speed: f64,
     /// Direction along which the last two measured were apart.
     hint: DVec3,
     look: Look,
@@ -84,10 +83,16 @@ impl Eye<'_> {
         apart
     }
 
+    /// How fast hubs may come together between two samples.
+    fn speed(&self, from: &Sample, to: &Sample) -> f64 {
+        let speed = |actor: &Actor| actor.course.speed_between(from.time, to.time);
+        self.actors.into_iter().map(speed).sum()
+    }
+
     /// How far points may come together between two samples, hubs and all.
     fn sweep(&self, from: &Sample, to: &Sample) -> Option<f64> {
         let width = to.time - from.time;
-        let mut sweep = self.speed * width;
+        let mut sweep = self.speed(from, to) * width;
         for i in 0..2 {
             sweep += self.arms[i]
                 * match self.actors[i].course.rate() {
@@ -111,7 +116,6 @@ impl Look {
             actors: [a, b],
             horizon,
             arms: [a.arm(), b.arm()],
-            speed: a.course.speed() + b.course.speed(),
             hint: DVec3::X,
             look: Self {
                 touch: None,
@@ -134,7 +138,7 @@ impl Look {
             }
             let width = end.time - start.time;
             let hubs = |sample: &Sample| sample.stands[0].hub.distance(sample.stands[1].hub);
-            let room = 0.5 * (hubs(&start) + hubs(&end) - eye.speed * width);
+            let room = 0.5 * (hubs(&start) + hubs(&end) - eye.speed(&start, &end) * width);
             if room > eye.arms[0] + eye.arms[1] {
                 start = end;
                 continue;

@@ -100,7 +100,7 @@ impl Pair {
         let found = first_contact(a, b, self.horizon, &Method::Exact);
         let start = self.above(0.0);
         let slack = 1e-9 * self.size + self.rounding;
-        if start.abs() <= slack {
+        if start.abs() <= slack + self.touch {
             return Verdict::Unknown;
         }
         if start < 0.0 {

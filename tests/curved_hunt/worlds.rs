@@ -92,6 +92,9 @@ fn frames_of_any_length_tell_the_same_first_contact() {
     let told = format!("{hits} hits, {misses} misses, {open} open");
     eprintln!("{told}");
     assert!(wrong.is_empty(), "{told}\n{}", wrong.join("\n"));
-    assert!(5 * hits > all && 10 * misses > all, "lopsided: {told}");
+    assert!(
+        all < 30 || 8 * hits > all && 5 * misses > all,
+        "lopsided: {told}"
+    );
     assert!(20 * open <= all, "{told}");
 }
