@@ -159,7 +159,7 @@ impl CubicBezier {
         };
         let (low, high) = (u_from.min(u_to), u_from.max(u_to));
         let mut length = 0.0;
-        span::subdivide(&velocity, low..high, |span| length += span.length);
+        span::subdivide(&velocity, low..high, |cut| length += cut.length);
         size * length
     }
 
@@ -192,6 +192,19 @@ impl CubicBezier {
     pub(crate) fn velocity(&self) -> [DVec3; 3] {
         let [b0, b1, b2, b3] = self.control_points;
         [3.0 * (b1 - b0), 3.0 * (b2 - b1), 3.0 * (b3 - b2)]
+    }
+
+    /// How the curve goes on at `u`, by distance: its unit tangent and the derivative of that. Not
+    /// finite in a cusp.
+    pub(crate) fn heading(&self, u: f64) -> (DVec3, DVec3) {
+        let velocity = self.velocity();
+        let (first, second) = (
+            first_derivative(velocity, u),
+            second_derivative(velocity, u),
+        );
+        let square = first.length_squared();
+        let bend = second - first.dot(second) / square * first;
+        (first / square.sqrt(), bend / square)
     }
 
     /// [`velocity`](Self::velocity) over its largest component, and that: no

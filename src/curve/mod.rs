@@ -9,7 +9,6 @@ mod bezier;
 mod catmull_rom;
 #[cfg(feature = "serde")]
 mod data;
-mod fit;
 mod hermite;
 mod hodograph;
 mod quadratic;

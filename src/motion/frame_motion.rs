@@ -75,6 +75,11 @@ impl FrameMotion {
         frame
     }
 
+    /// Length of the frame in seconds.
+    pub(crate) fn seconds(&self) -> f64 {
+        self.duration
+    }
+
     /// Seconds of flight between two fractions, rests left out.
     pub(super) fn flying(&self, from: f64, to: f64) -> f64 {
         let within = |fraction: f64| fraction.max(self.rests_until).min(self.rests_from);
@@ -97,11 +102,11 @@ impl FrameMotion {
     /// Where the body is at `fraction`.
     pub(crate) fn position_at(&self, motion: &Motion, fraction: f64) -> DVec3 {
         match motion.kind() {
+            _ if fraction <= 0.0 => self.start,
             Kind::Along(journey) if self.curved => {
                 let waypoint = self.waypoint(journey, fraction);
                 journey.path.position_at(waypoint.distance)
             }
-            _ if fraction <= 0.0 => self.start,
             _ => self.start + self.displacement_between(motion, 0.0, fraction),
         }
     }
@@ -149,6 +154,9 @@ impl FrameMotion {
             }
             Kind::Along(journey) => {
                 let position = |fraction: f64| {
+                    if fraction <= 0.0 {
+                        return self.start;
+                    }
                     let waypoint = self.waypoint(journey, fraction);
                     journey.path.position_at(waypoint.distance)
                 };

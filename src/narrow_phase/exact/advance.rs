@@ -2,11 +2,14 @@
 
 use super::Touching;
 use super::flight::{Flight, Instant};
-use super::meeting::{Meeting, meet};
-use super::turning::of_features;
+use super::gliding::{Glide, glide};
+use super::meeting::{Meeting, meet, strike};
+use super::parting::Parted;
+use super::planes::{Nearest, Place, Planes, TurningBall, TurningBoxes};
 use super::window::{Parabola, Plane, Side, Window};
+use crate::geometry::Shape;
 use crate::motion::{Bend, Stretch, TurningRate};
-use crate::narrow_phase::distance::{Separator, closest_points};
+use crate::narrow_phase::distance::closest_points;
 use crate::narrow_phase::overlap::overlap;
 use glam::DVec3;
 
@@ -33,6 +36,9 @@ pub(crate) enum Encounter {
 /// An ordinary query takes 5 to 15, a graze up to a hundred: two bodies that slide or run side by side
 /// on curves for long are given up after them.
 const STEPS: u32 = 400;
+
+/// Steps for what is told quickly as a rule, before the search goes on that decides all.
+const QUICK_STEPS: u32 = 60;
 
 /// So many more for each stretch of a path and each radian turned.
 const STEPS_PER_STRETCH: u32 = 32;
@@ -71,33 +77,81 @@ pub(crate) fn encounter(
     touch: f64,
     steps: &mut usize,
 ) -> Encounter {
-    let start = (a.at(0.0), b.at(0.0));
+    if passes_by(a, b, touch) {
+        *steps += 1;
+        return Encounter::Apart;
+    }
+    let quick = if a.glides() && b.glides() {
+        glide((a, b), touch, steps)
+    } else {
+        match (a.shape, b.shape) {
+            (Shape::Cuboid(of_a), Shape::Cuboid(of_b)) => {
+                search((a, b), TurningBoxes::new(of_a, of_b), touch, 0.0, steps)
+            }
+            (Shape::Sphere(ball), Shape::Cuboid(cuboid)) => {
+                let planes = TurningBall::new(ball, cuboid, Place::First);
+                search((a, b), planes, touch, 0.0, steps)
+            }
+            (Shape::Cuboid(cuboid), Shape::Sphere(ball)) => {
+                let planes = TurningBall::new(ball, cuboid, Place::Second);
+                search((a, b), planes, touch, 0.0, steps)
+            }
+            _ => Glide::Left(0.0),
+        }
+    };
+    let time = match quick {
+        Glide::Found(found) => return found,
+        Glide::Left(time) => time,
+    };
+    match search((a, b), Nearest::new(a, b, time), touch, time, steps) {
+        Glide::Found(found) => found,
+        Glide::Left(clear_until) => Encounter::Undecided { clear_until },
+    }
+}
+
+/// Whether the spheres around both hubs pass each other by: what each strays from its chord is known.
+fn passes_by(a: &Flight<'_>, b: &Flight<'_>, touch: f64) -> bool {
+    let start = a.hub_at_start() - b.hub_at_start();
+    let way = a.frame.displacement - b.frame.displacement;
+    let share = (-start.dot(way) / way.length_squared()).clamp(0.0, 1.0);
+    // NaN, of no way at all.
+    let nearest = if share > 0.0 {
+        start + share * way
+    } else {
+        start
+    };
+    let reach = (a.reach + b.reach) * (1.0 + 1e-12) + a.frame.deviation + b.frame.deviation;
+    nearest.length() > reach + touch
+}
+
+/// The general search from `time` on, until which they are proven apart.
+#[inline(never)]
+fn search<P: Planes>(
+    (a, b): (&Flight<'_>, &Flight<'_>),
+    planes: P,
+    touch: f64,
+    time: f64,
+    steps: &mut usize,
+) -> Glide {
     let mut search = Search {
         a,
         b,
-        separator: Separator::new(
-            a.shape,
-            start.0.pose.orientation,
-            b.shape,
-            start.1.pose.orientation,
-        ),
+        planes,
         stretches: [
-            a.frame.stretch_at(a.motion, 0.0),
-            b.frame.stretch_at(b.motion, 0.0),
+            a.frame.stretch_at(a.motion, time),
+            b.frame.stretch_at(b.motion, time),
         ],
         touch,
-        time: 0.0,
+        time,
         longest: 1.0,
-        allowance: STEPS,
+        allowance: if P::DECIDES { STEPS } else { QUICK_STEPS },
         sliding: false,
     };
     let mut used = 0;
     let found = loop {
         used += 1;
         if used > search.allowance.min(MOST_STEPS) {
-            break Encounter::Undecided {
-                clear_until: search.time,
-            };
+            break Glide::Left(search.time);
         }
         if let Some(found) = search.step() {
             break found;
@@ -107,10 +161,10 @@ pub(crate) fn encounter(
     found
 }
 
-struct Search<'f, 'a> {
+struct Search<'f, 'a, P> {
     a: &'f Flight<'a>,
     b: &'f Flight<'a>,
-    separator: Separator<'a>,
+    planes: P,
     stretches: [Stretch<'a>; 2],
     /// Metres below which bodies touch.
     touch: f64,
@@ -123,13 +177,13 @@ struct Search<'f, 'a> {
     sliding: bool,
 }
 
-impl<'a> Search<'_, 'a> {
+impl<'a, P: Planes> Search<'_, 'a, P> {
     fn reach(&self) -> f64 {
         self.a.reach + self.b.reach
     }
 
     /// One plane further; what was found, if that is the end.
-    fn step(&mut self) -> Option<Encounter> {
+    fn step(&mut self) -> Option<Glide> {
         for (stretch, flight) in self.stretches.iter_mut().zip([self.a, self.b]) {
             if self.time >= stretch.to && stretch.to < 1.0 {
                 *stretch = flight.frame.stretch_at(flight.motion, self.time);
@@ -149,23 +203,32 @@ impl<'a> Search<'_, 'a> {
             return None;
         }
         if self.a.turns() || self.b.turns() {
-            self.separator.turn(a.pose.orientation, b.pose.orientation);
+            self.planes.turn(&a, &b);
         }
-        let found = self.separator.separation(between, 1e-9);
+        let found = self.planes.part(between);
         let window = self.window(a, b, offset);
-        match found {
-            Some(separation) if separation.distance > self.touch => {
-                if self.time >= 1.0 {
-                    return Some(Encounter::Apart);
-                }
-                self.sliding = false;
-                self.advance(&window, separation.normal, separation.distance);
-                None
+        let far = |parted: &Parted| parted.distance > self.touch;
+        if let Some(parted) = found.filter(far) {
+            if self.time >= 1.0 {
+                return Some(Glide::Found(Encounter::Apart));
             }
-            found => {
-                let normal = found.map(|separation| separation.normal);
-                self.in_touch(&window, normal)
-            }
+            self.sliding = false;
+            return self.advance(&window, parted.normal, parted.distance);
+        }
+        if P::DECIDES {
+            let normal = found.map(|parted| parted.normal);
+            self.in_touch(&window, normal).map(Glide::Found)
+        } else {
+            let struck = found.and_then(|parted| {
+                let flights = (self.a, self.b);
+                strike(flights, &window, parted.normal, self.time, self.touch)
+            });
+            Some(struck.map_or(Glide::Left(self.time), |touching| {
+                Glide::Found(Encounter::Touch {
+                    touching,
+                    clear_until: self.time,
+                })
+            }))
         }
     }
 
@@ -257,9 +320,12 @@ impl<'a> Search<'_, 'a> {
     }
 
     /// As far as planes across `normal` part the bodies, which are `distance` apart.
-    fn advance(&mut self, window: &Window<'_>, normal: DVec3, distance: f64) {
+    fn advance(&mut self, window: &Window<'_>, normal: DVec3, distance: f64) -> Option<Glide> {
         let floor = 0.5 * self.touch;
         let mut by = self.plane_advance(window, normal, floor);
+        if by <= 0.0 && !P::DECIDES {
+            return Some(Glide::Left(self.time));
+        }
         if by <= 0.0 {
             // The plane does not say what the distance does; that of the features may.
             let (a, b) = (&window.a.instant.pose, &window.b.instant.pose);
@@ -293,6 +359,7 @@ impl<'a> Search<'_, 'a> {
             .allowance
             .saturating_add((radians * f64::from(STEPS_PER_STRETCH)) as u32);
         self.go_on(by, (window.length, window.to));
+        None
     }
 
     /// The longest advance of several planes across one normal that turn in different ways.
@@ -302,19 +369,24 @@ impl<'a> Search<'_, 'a> {
             turn: DVec3::ZERO,
         };
         let turning = window.a.spin.length() + window.b.spin.length();
-        let turns = turning + window.turning > 0.0;
-        let mut best = window.clear_for(&still, floor);
-        if turns && best < window.length {
-            best = best.max(self.turned_all_round(window, normal, floor));
+        if turning + window.turning <= 0.0 {
+            return window.clear_for(&still, floor);
         }
-        if turning > 0.0 && best < window.length {
-            let turn = of_features(window, self.separator.nearest_vertices(), normal);
+        let mut best = 0.0;
+        if turning > 0.0 {
+            let turn = self.planes.turning(window, normal);
             // Over a longer time bounds of higher order weigh too much.
             let length = window.length.min(0.5 / turning.max(turn.length()));
             let short = Window { length, ..*window };
-            if best < length {
-                best = best.max(short.clear_for(&Plane { normal, turn }, floor));
+            best = short.clear_for(&Plane { normal, turn }, floor);
+            // As a rule that is the longest but where it ends with the window.
+            if best > 0.0 && best < length {
+                return best;
             }
+        }
+        best = best.max(window.clear_for(&still, floor));
+        if best < window.length {
+            best = best.max(self.turned_all_round(window, normal, floor));
         }
         best
     }
@@ -364,7 +436,7 @@ impl<'a> Search<'_, 'a> {
             return Some(Encounter::Apart);
         }
         self.sliding = true;
-        let turn = of_features(window, self.separator.nearest_vertices(), touching.normal);
+        let turn = self.planes.turning(window, touching.normal);
         let plane = Plane {
             normal: touching.normal,
             turn,

@@ -71,11 +71,11 @@ impl<'a> Flight<'a> {
                 flight.each_vertex(|vertex| {
                     let offset = vertex - flight.hub;
                     let height = offset.dot(axis);
-                    arm = arm.max((offset - height * axis).length());
+                    arm = arm.max((offset - height * axis).length_squared());
                     (low, high) = (low.min(height), high.max(height));
                 });
                 let rounding = grown(0.0) + 16.0 * f64::EPSILON * (size + flight.hub.length());
-                flight.arm = arm + rounding;
+                flight.arm = arm.sqrt() + rounding;
                 flight.extent = [low - rounding, high + rounding];
                 let distance = (centre - flight.hub).length();
                 flight.reach = grown(size + distance) + rounding;
@@ -93,9 +93,29 @@ impl<'a> Flight<'a> {
         }
     }
 
+    /// Where the body is at a fraction of the frame, and how it is turned.
+    pub(super) fn pose_at(&self, fraction: f64) -> Pose {
+        self.frame.pose_at(self.motion, self.orientation, fraction)
+    }
+
+    /// Where its hub is as the frame begins.
+    pub(super) fn hub_at_start(&self) -> DVec3 {
+        let pose = self.pose_at(0.0);
+        pose.position + pose.direction(self.hub)
+    }
+
+    /// Whether it moves as its carried point does: it does not turn, or is a ball about that point.
+    pub(super) fn glides(&self) -> bool {
+        match (self.motion.turning(), self.shape) {
+            (Turning::Not, _) | (Turning::Facing(_), Shape::Sphere(_)) => true,
+            (Turning::Spin(spin), Shape::Sphere(_)) => spin.point() == DVec3::ZERO,
+            _ => false,
+        }
+    }
+
     /// Where the body is at a fraction of the frame.
     pub(super) fn at(&self, fraction: f64) -> Instant<'a> {
-        let pose = self.frame.pose_at(self.motion, self.orientation, fraction);
+        let pose = self.pose_at(fraction);
         Instant {
             shape: self.shape,
             hub: self.hub,
@@ -147,11 +167,11 @@ impl<'a> Flight<'a> {
 pub(super) struct Instant<'a> {
     shape: &'a Shape,
     hub: DVec3,
-    rotation: DMat3,
+    pub(super) rotation: DMat3,
     pub(super) pose: Pose,
 }
 
-impl Instant<'_> {
+impl<'a> Instant<'a> {
     /// From the body's position to its hub, along the world's axes.
     pub(super) fn hub_offset(&self) -> DVec3 {
         self.rotation * self.hub
@@ -171,6 +191,21 @@ impl Instant<'_> {
             }
             Shape::Triangle(triangle) => triangle.vertices()[index as usize % 3],
             Shape::Polytope(polytope) => polytope.vertices()[index as usize],
+        }
+    }
+
+    /// The core's least heights across a plane that turns.
+    pub(super) fn heights(&self, normal: DVec3, turn: DVec3) -> Heights<'_, 'a> {
+        let Shape::Cuboid(cuboid) = self.shape else {
+            return Heights::Other(self, normal, turn);
+        };
+        let to_body = self.rotation.transpose();
+        let (normal, turn) = (to_body * normal, to_body * turn);
+        let half = cuboid.half_extents();
+        Heights::Cuboid {
+            normals: half * normal,
+            turns: half * turn,
+            middle: (-normal.dot(self.hub), -turn.dot(self.hub)),
         }
     }
 
@@ -205,5 +240,45 @@ impl Instant<'_> {
             }
         };
         self.rotation * offset
+    }
+}
+
+/// What is asked again and again of a core beside a plane that turns.
+pub(super) enum Heights<'i, 'a> {
+    /// Of a box, along its own axes: the half-extents across the plane, how these change as it turns,
+    /// and both of the middle.
+    Cuboid {
+        normals: DVec3,
+        turns: DVec3,
+        middle: (f64, f64),
+    },
+    Other(&'i Instant<'a>, DVec3, DVec3),
+}
+
+impl Heights<'_, '_> {
+    /// Of the vertex that lies lowest across `normal + time · turn`: its heights along `normal` and
+    /// along `turn`.
+    #[inline]
+    pub(super) fn lowest(&self, time: f64) -> (f64, f64) {
+        match self {
+            Self::Cuboid {
+                normals,
+                turns,
+                middle,
+            } => {
+                let along = *normals + time * *turns;
+                let (mut height, mut change) = *middle;
+                for axis in 0..3 {
+                    let side = if along[axis] > 0.0 { -1.0 } else { 1.0 };
+                    height += side * normals[axis];
+                    change += side * turns[axis];
+                }
+                (height, change)
+            }
+            Self::Other(instant, normal, turn) => {
+                let vertex = instant.lowest(*normal + time * *turn);
+                (normal.dot(vertex), turn.dot(vertex))
+            }
+        }
     }
 }

@@ -43,7 +43,7 @@ pub(super) fn meet(
                 near.then_some((found, 0.0))
             };
             let guess = normal.unwrap_or(window.offset.normalize_or(DVec3::X));
-            straight(velocity_at(a, b, window, DVec3::ZERO, time))
+            straight(velocity_at((a, b), window, DVec3::ZERO, time))
                 .or_else(|| straight(-reach * guess))
         })
         .unwrap_or((
@@ -55,7 +55,7 @@ pub(super) fn meet(
             },
             0.0,
         ));
-    let velocity = velocity_at(a, b, window, touching.point, time);
+    let velocity = velocity_at((a, b), window, touching.point, time);
     let speed = velocity.length();
     let mut later = gap / -touching.normal.dot(velocity);
     if let Some(found) = cast(shape_a, &pose_a, shape_b, &pose_b, velocity) {
@@ -74,6 +74,40 @@ pub(super) fn meet(
         closing,
         speed,
     })
+}
+
+/// The touch of two bodies that are nearer than `touch` metres along `normal` at `time`, if they run into
+/// each other there; none where it takes [`meet`] to tell.
+///
+/// One exact cast across the gap gives point, normal and features.
+pub(super) fn strike(
+    (a, b): (&Flight<'_>, &Flight<'_>),
+    window: &Window<'_>,
+    normal: DVec3,
+    time: f64,
+    touch: f64,
+) -> Option<Touching> {
+    if time <= 0.0 {
+        return None;
+    }
+    let [pose_a, pose_b] = [window.a.instant.pose, window.b.instant.pose];
+    let between = Pose::new(pose_a.position - pose_b.position, pose_a.orientation);
+    let origin = Pose::new(DVec3::ZERO, pose_b.orientation);
+    let reach = a.reach + b.reach;
+    let mut touching = cast(a.shape, &between, b.shape, &origin, -reach * normal)?;
+    let alike = touching.normal.dot(normal);
+    let near = touching.fraction.abs() <= NEAR;
+    let velocity = velocity_at((a, b), window, touching.point, time);
+    let (closing, speed) = (-touching.normal.dot(velocity), velocity.length());
+    if !(near && alike > 0.99 && closing > NEAR * speed) {
+        return None;
+    }
+    let later = (touching.fraction * reach * alike / closing).max(0.0);
+    if !(later * speed <= NEAR * reach + 4.0 * touch) {
+        return None;
+    }
+    touching.fraction = (time + later).min(1.0);
+    Some(touching)
 }
 
 /// The nearest points, or the deepest ones of bodies that overlap.
@@ -99,8 +133,7 @@ fn nearest(a: &Shape, pose_a: &Pose, b: &Shape, pose_b: &Pose) -> Option<(Touchi
 
 /// How fast A's point moves relative to B's that lies at `point` from B's position.
 fn velocity_at(
-    a: &Flight<'_>,
-    b: &Flight<'_>,
+    (a, b): (&Flight<'_>, &Flight<'_>),
     window: &Window<'_>,
     point: DVec3,
     time: f64,

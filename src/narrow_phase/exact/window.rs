@@ -1,6 +1,6 @@
 //! How long a plane parts two bodies for certain.
 
-use super::flight::Instant;
+use super::flight::{Heights, Instant};
 use crate::motion::Bend;
 use glam::DVec3;
 
@@ -82,26 +82,47 @@ impl Parabola {
     }
 }
 
-impl Window<'_> {
-    /// The least height above `floor` of a pair of vertices at `time` from now, and its parabola.
-    fn lowest(&self, plane: &Plane, time: f64, bend: f64, floor: f64) -> Parabola {
-        let Plane { normal, turn } = *plane;
-        let along = |spin: DVec3| normal + time * (turn + normal.cross(spin));
-        let a = self.a.instant.lowest(along(self.a.spin));
-        let b = self.b.instant.lowest(-along(self.b.spin));
-        let apart = self.offset + (a - b);
-        let velocity = self.velocity + (self.a.spin.cross(a) - self.b.spin.cross(b));
-        let stray = (self.stray + self.turning) * (1.0 + self.length * turn.length());
+/// A window seen across a plane.
+struct Outlook<'w, 'a> {
+    a: Heights<'w, 'a>,
+    b: Heights<'w, 'a>,
+    /// What is the same for all pairs of vertices: height, slope and bend.
+    base: Parabola,
+}
+
+impl Outlook<'_, '_> {
+    /// The lowest pair of vertices at `time` from now.
+    #[inline]
+    fn lowest(&self, time: f64) -> Parabola {
+        let ((a, rise_a), (b, rise_b)) = (self.a.lowest(time), self.b.lowest(time));
         Parabola {
-            start: normal.dot(apart) - self.radii - floor,
-            slope: turn.dot(apart) + normal.dot(velocity) - stray,
-            bend,
+            start: self.base.start + (a + b),
+            slope: self.base.slope + (rise_a + rise_b),
+            bend: self.base.bend,
+        }
+    }
+}
+
+impl<'a> Window<'a> {
+    /// Heights above `floor` across a plane.
+    fn across(&self, plane: &Plane, floor: f64) -> Outlook<'_, 'a> {
+        let Plane { normal, turn } = *plane;
+        let along = |side: &Side<'_>| turn + normal.cross(side.spin);
+        let stray = (self.stray + self.turning) * (1.0 + self.length * turn.length());
+        Outlook {
+            a: self.a.instant.heights(normal, along(&self.a)),
+            b: self.b.instant.heights(-normal, -along(&self.b)),
+            base: Parabola {
+                start: normal.dot(self.offset) - self.radii - floor,
+                slope: turn.dot(self.offset) + normal.dot(self.velocity) - stray,
+                bend: self.bend(plane),
+            },
         }
     }
 
     /// The least height of a pair of vertices now, and how it changes at least.
     pub(super) fn now(&self, plane: &Plane) -> Parabola {
-        self.lowest(plane, 0.0, self.bend(plane), 0.0)
+        self.across(plane, 0.0).lowest(0.0)
     }
 
     /// Upper bound of the hubs' acceleration's share along a vector, metres per frame and frame.
@@ -134,14 +155,14 @@ impl Window<'_> {
     pub(super) fn clear_for(&self, plane: &Plane, floor: f64) -> f64 {
         /// Each settles which vertices are lowest; two or three do as a rule.
         const ROUNDS: u32 = 6;
-        let bend = self.bend(plane);
-        let start = self.lowest(plane, 0.0, bend, floor).start;
+        let outlook = self.across(plane, floor);
+        let start = outlook.lowest(0.0).start;
         if start.is_nan() || start <= 0.0 {
             return 0.0;
         }
         let mut end = self.length;
         for _ in 0..ROUNDS {
-            let parabola = self.lowest(plane, end, bend, floor);
+            let parabola = outlook.lowest(end);
             let low = parabola.at(end);
             if low >= -0.25 * floor {
                 return end;
@@ -154,7 +175,7 @@ impl Window<'_> {
             }
             end = root;
         }
-        let low = self.lowest(plane, end, bend, floor).at(end);
+        let low = outlook.lowest(end).at(end);
         if low >= 0.0 {
             end
         } else {
@@ -169,10 +190,10 @@ impl Window<'_> {
     pub(super) fn parted_after(&self, plane: &Plane, floor: f64) -> Option<f64> {
         /// Each a quarter of the one before.
         const TRIES: u32 = 16;
-        let bend = self.bend(plane);
+        let outlook = self.across(plane, floor);
         let mut time = self.length;
         for _ in 0..TRIES {
-            if self.lowest(plane, time, bend, floor).at(time) >= floor {
+            if outlook.lowest(time).at(time) >= floor {
                 return Some(time);
             }
             time *= 0.25;
