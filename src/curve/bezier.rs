@@ -1,6 +1,6 @@
 //! Cubic Bézier curves.
 
-use crate::curve::{hermite, hodograph::Hodograph, quadratic, span};
+use crate::curve::{hermite, quadratic, span};
 use crate::error::PathError;
 use crate::math::domain;
 use crate::tolerance::MAX_COORDINATE;
@@ -218,11 +218,6 @@ impl CubicBezier {
             .fold(0.0, f64::max);
         // Below that, too little is left of the digits to divide by.
         (largest >= f64::MIN_POSITIVE).then(|| (velocity.map(|vector| vector / largest), largest))
-    }
-
-    /// The velocity over a stretch of the curve.
-    pub(crate) fn hodograph(&self, u_start: f64, width: f64) -> Hodograph {
-        Hodograph::over(&self.velocity(), u_start, width)
     }
 }
 

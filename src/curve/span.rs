@@ -43,12 +43,14 @@ const LAST_STEP: f64 = 1e-4;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(align(64))]
 pub(crate) struct Span {
+    /// Distance from the path's start to the span's.
+    pub(crate) start: f64,
     /// Parameter of the curve at the span's start.
     pub(crate) u_start: f64,
     /// How far the parameter goes.
-    pub(crate) width: f64,
-    /// Arc length.
-    pub(crate) length: f64,
+    width: f64,
+    /// The reciprocal of its arc length.
+    per_length: f64,
     guess: Guess,
 }
 
@@ -58,6 +60,18 @@ pub(crate) struct Cut {
     pub(crate) u_start: f64,
     pub(crate) width: f64,
     pub(crate) length: f64,
+}
+
+impl Cut {
+    /// Both halves, by the parameter.
+    fn halves(&self, velocity: &[DVec3; 3]) -> [Self; 2] {
+        let width = 0.5 * self.width;
+        [self.u_start, self.u_start + width].map(|u_start| Self {
+            u_start,
+            width,
+            length: Hodograph::over(velocity, u_start, width).length_to(1.0),
+        })
+    }
 }
 
 /// Coefficients of a first guess: two fewer than the degree of the interpolation, whose ends are
@@ -156,36 +170,35 @@ impl Guess {
 }
 
 impl Span {
-    /// Cut into spans on which one step of the iteration is enough, if that may be, and hand them over.
-    pub(crate) fn each(velocity: &[DVec3; 3], cut: &Cut, mut emit: impl FnMut(Self)) {
-        let Cut {
-            u_start,
-            width,
-            length,
-        } = *cut;
-        let hodograph = Hodograph::over(velocity, u_start, width);
-        let span = Self::over(&hodograph, u_start, width, length);
+    /// Cuts into spans on which one step of the iteration is enough, if that may be, and hands them
+    /// over with their lengths.
+    pub(crate) fn each(velocity: &[DVec3; 3], cut: &Cut, mut emit: impl FnMut(Self, f64)) {
+        let span = Self::new(velocity, cut);
         // Beside a standstill halving changes nothing.
-        if span.is_smooth(&hodograph) || !matches!(span.guess, Guess::Smooth(_)) {
-            emit(span);
+        if span.is_smooth(velocity) || !matches!(span.guess, Guess::Smooth(_)) {
+            emit(span, cut.length);
             return;
         }
-        for half in span.halves(velocity) {
-            let hodograph = Hodograph::over(velocity, half.u_start, half.width);
-            if half.is_smooth(&hodograph) {
-                emit(half);
+        for half in cut.halves(velocity) {
+            let span = Self::new(velocity, &half);
+            if span.is_smooth(velocity) {
+                emit(span, half.length);
             } else {
-                half.halves(velocity).into_iter().for_each(&mut emit);
+                for quarter in half.halves(velocity) {
+                    emit(Self::new(velocity, &quarter), quarter.length);
+                }
             }
         }
     }
 
-    fn over(hodograph: &Hodograph, u_start: f64, width: f64, length: f64) -> Self {
+    fn new(velocity: &[DVec3; 3], cut: &Cut) -> Self {
+        let hodograph = Hodograph::over(velocity, cut.u_start, cut.width);
         Self {
-            u_start,
-            width,
-            length,
-            guess: Guess::new(hodograph, length),
+            start: 0.0,
+            u_start: cut.u_start,
+            width: cut.width,
+            per_length: cut.length.recip(),
+            guess: Guess::new(&hodograph, cut.length),
         }
     }
 
@@ -193,22 +206,28 @@ impl Span {
     ///
     /// It is not where the curve is fast in between or slow at an end; and not where its speed is a
     /// polynomial, whose zeros the quadrature does not see and the inverse does.
-    pub(crate) fn is_smooth(&self, hodograph: &Hodograph) -> bool {
+    pub(crate) fn is_smooth(&self, velocity: &[DVec3; 3]) -> bool {
+        let hodograph = Hodograph::over(velocity, self.u_start, self.width);
         matches!(self.guess, Guess::Smooth(_))
             && [0.06, 0.5, 0.94].into_iter().all(|share| {
                 let x = self.guess.at(share);
-                Step::from(hodograph, x, share * self.length).is_last()
+                Step::from(&hodograph, x, share / self.per_length).is_last()
             })
     }
 
-    /// Both halves, by the parameter.
-    pub(crate) fn halves(&self, velocity: &[DVec3; 3]) -> [Self; 2] {
-        let width = 0.5 * self.width;
-        [self.u_start, self.u_start + width].map(|u_start| {
-            let hodograph = Hodograph::over(velocity, u_start, width);
-            let length = hodograph.length_to(1.0);
-            Self::over(&hodograph, u_start, width, length)
-        })
+    /// The parameter at `distance` from the path's start.
+    #[inline]
+    pub(crate) fn u_at(&self, velocity: &[DVec3; 3], distance: f64) -> f64 {
+        let hodograph = Hodograph::over(velocity, self.u_start, self.width);
+        let x = self.invert(&hodograph, distance - self.start);
+        (self.u_start + x * self.width).min(1.0)
+    }
+
+    /// The distance from the path's start to the parameter `u`; none if that lies beyond the span.
+    pub(crate) fn distance_to(&self, velocity: &[DVec3; 3], u: f64) -> Option<f64> {
+        let hodograph = Hodograph::over(velocity, self.u_start, self.width);
+        let x = (u - self.u_start) / self.width;
+        (x < 1.0).then(|| self.start + hodograph.length_to(x))
     }
 
     /// Where on the span, from 0 to 1, the arc length from its start is
@@ -218,15 +237,16 @@ impl Span {
     /// bracket, from an interpolated guess: as a rule one evaluation of the
     /// integral, and at most 100 whatever the speed does.
     #[inline]
-    pub(crate) fn invert(&self, hodograph: &Hodograph, distance: f64) -> f64 {
-        // A span of no length is all one point; NaN cannot come here.
-        if distance <= 0.0 || self.length <= 0.0 {
+    fn invert(&self, hodograph: &Hodograph, distance: f64) -> f64 {
+        let share = distance * self.per_length;
+        // A span of no length is all one point: 0 · ∞.
+        if !(share > 0.0) {
             return 0.0;
         }
-        if distance >= self.length {
+        if share >= 1.0 {
             return 1.0;
         }
-        let x = self.guess.at(distance / self.length);
+        let x = self.guess.at(share);
         let step = Step::from(hodograph, x, distance);
         if step.is_last() {
             return step.last(x);

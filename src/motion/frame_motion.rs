@@ -114,7 +114,23 @@ impl FrameMotion {
     /// Where a body is at `fraction`, and how it is turned, that was turned by
     /// `orientation` as its motion began.
     pub(crate) fn pose_at(&self, motion: &Motion, orientation: DQuat, fraction: f64) -> Pose {
-        let position = self.position_at(motion, fraction);
+        self.turned_at(
+            motion,
+            orientation,
+            fraction,
+            self.position_at(motion, fraction),
+        )
+    }
+
+    /// The pose of a body that its motion has carried to `position` at `fraction`.
+    #[inline]
+    pub(crate) fn turned_at(
+        &self,
+        motion: &Motion,
+        orientation: DQuat,
+        fraction: f64,
+        position: DVec3,
+    ) -> Pose {
         let turned = match (motion.turning(), motion.kind()) {
             (Turning::Spin(spin), _) => {
                 let angle = spin.rate() * (fraction * self.duration);

@@ -1,7 +1,7 @@
 //! The first touch of two bodies on curves and in rotation.
 
 use super::Touching;
-use super::flight::{Flight, Instant};
+use super::flight::Flight;
 use super::gliding::{Glide, glide};
 use super::meeting::{Meeting, meet, strike};
 use super::parting::Parted;
@@ -111,7 +111,7 @@ pub(crate) fn encounter(
 
 /// Whether the spheres around both hubs pass each other by: what each strays from its chord is known.
 fn passes_by(a: &Flight<'_>, b: &Flight<'_>, touch: f64) -> bool {
-    let start = a.hub_at_start() - b.hub_at_start();
+    let start = (a.frame.start - b.frame.start) + (a.hub_shift() - b.hub_shift());
     let way = a.frame.displacement - b.frame.displacement;
     let share = (-start.dot(way) / way.length_squared()).clamp(0.0, 1.0);
     // NaN, of no way at all.
@@ -193,20 +193,43 @@ impl<'a, P: Planes> Search<'_, 'a, P> {
                 self.allowance = self.allowance.saturating_add(STEPS_PER_STRETCH);
             }
         }
-        let (a, b) = (self.a.at(self.time), self.b.at(self.time));
-        let between = a.pose.position - b.pose.position;
-        let offset = between + (a.hub_offset() - b.hub_offset());
+        let (at_a, at_b) = (self.a.carried_at(self.time), self.b.carried_at(self.time));
+        let offset = (at_a - at_b) + (self.a.hub_shift() - self.b.hub_shift());
         let distance = offset.length();
         let room = distance - self.reach();
         if room > FAR * self.reach() && self.time < 1.0 {
             self.approach(offset, distance, room);
             return None;
         }
+        let a = self.a.at(self.time, at_a);
+        let b = self.b.at(self.time, at_b);
+        let between = a.pose.position - b.pose.position;
+        let offset = between + (a.hub_offset() - b.hub_offset());
         if self.a.turns() || self.b.turns() {
             self.planes.turn(&a, &b);
         }
         let found = self.planes.part(between);
-        let window = self.window(a, b, offset);
+        let (passages, spins, turning) = self.rates();
+        let window = Window {
+            a: Side {
+                instant: &a,
+                spin: spins[0],
+                arm: self.a.arm,
+            },
+            b: Side {
+                instant: &b,
+                spin: spins[1],
+                arm: self.b.arm,
+            },
+            offset,
+            velocity: passages.velocity,
+            bends: [&passages.bends[0], &passages.bends[1]],
+            stray: passages.stray,
+            turning,
+            radii: self.a.radius + self.b.radius,
+            length: passages.length,
+            to: passages.to,
+        };
         let far = |parted: &Parted| parted.distance > self.touch;
         if let Some(parted) = found.filter(far) {
             if self.time >= 1.0 {
@@ -265,8 +288,12 @@ impl<'a, P: Planes> Search<'_, 'a, P> {
     /// How both hubs go on for `length` at most.
     fn passages(&self, length: f64) -> Passages {
         let to = (self.time + length).min(1.0);
-        let [of_a, of_b] = [(self.a, &self.stretches[0]), (self.b, &self.stretches[1])]
-            .map(|(flight, stretch)| flight.frame.passage(flight.motion, stretch, self.time, to));
+        // One by one: arrays of what is large are copied about.
+        let of = |flight: &Flight<'_>, stretch: &Stretch<'_>| {
+            flight.frame.passage(flight.motion, stretch, self.time, to)
+        };
+        let of_a = of(self.a, &self.stretches[0]);
+        let of_b = of(self.b, &self.stretches[1]);
         Passages {
             velocity: of_a.velocity - of_b.velocity,
             bends: [of_a.bend, of_b.bend],
@@ -276,51 +303,36 @@ impl<'a, P: Planes> Search<'_, 'a, P> {
         }
     }
 
-    fn window(&self, a: Instant<'a>, b: Instant<'a>, offset: DVec3) -> Window<'a> {
+    /// How both hubs go on, angular velocities, and what else turning may do at most.
+    fn rates(&self) -> (Passages, [DVec3; 2], f64) {
         let mut longest = self.longest;
         loop {
             let passages = self.passages(longest);
             let mut turning = 0.0;
-            let [of_a, of_b] = [(self.a, a), (self.b, b)].map(|(flight, instant)| {
-                let mut spin = DVec3::ZERO;
+            let mut spins = [DVec3::ZERO; 2];
+            for (spin, flight) in spins.iter_mut().zip([self.a, self.b]) {
                 if flight.turns() {
                     let rate = flight
                         .frame
                         .turning_rate(flight.motion, self.time, passages.to);
                     match rate {
-                        TurningRate::Spin(rate) => spin = rate,
+                        TurningRate::Spin(rate) => *spin = rate,
                         TurningRate::AtMost(rate) => turning += rate * flight.arm,
                     }
                 }
-                Side {
-                    instant,
-                    spin,
-                    arm: flight.arm,
-                }
-            });
+            }
             // Before a cusp, or where a body that faces its way goes straight up, only short windows
             // say how fast it turns.
             if turning.is_infinite() && passages.length > FLIP {
                 longest = 0.25 * passages.length;
                 continue;
             }
-            return Window {
-                a: of_a,
-                b: of_b,
-                offset,
-                velocity: passages.velocity,
-                bends: passages.bends,
-                stray: passages.stray,
-                turning,
-                radii: self.a.radius + self.b.radius,
-                length: passages.length,
-                to: passages.to,
-            };
+            return (passages, spins, turning);
         }
     }
 
     /// As far as planes across `normal` part the bodies, which are `distance` apart.
-    fn advance(&mut self, window: &Window<'_>, normal: DVec3, distance: f64) -> Option<Glide> {
+    fn advance(&mut self, window: &Window<'_, '_>, normal: DVec3, distance: f64) -> Option<Glide> {
         let floor = 0.5 * self.touch;
         let mut by = self.plane_advance(window, normal, floor);
         if by <= 0.0 && !P::DECIDES {
@@ -339,7 +351,7 @@ impl<'a, P: Planes> Search<'_, 'a, P> {
         }
         if by <= 0.0 {
             // Nobody is faster than this.
-            let turning = |side: &Side<'_>| side.arm * side.spin.length();
+            let turning = |side: &Side<'_, '_>| side.arm * side.spin.length();
             let speed = self.a.speed
                 + self.b.speed
                 + window.turning
@@ -352,7 +364,7 @@ impl<'a, P: Planes> Search<'_, 'a, P> {
         } else {
             (2.0 * self.longest).min(1.0)
         };
-        let turned = |side: &Side<'_>| side.spin.length() * by;
+        let turned = |side: &Side<'_, '_>| side.spin.length() * by;
         let radians = turned(&window.a) + turned(&window.b);
         // Of long windows more than anyone can use; the cast saturates.
         self.allowance = self
@@ -363,28 +375,27 @@ impl<'a, P: Planes> Search<'_, 'a, P> {
     }
 
     /// The longest advance of several planes across one normal that turn in different ways.
-    fn plane_advance(&self, window: &Window<'_>, normal: DVec3, floor: f64) -> f64 {
+    fn plane_advance(&self, window: &Window<'_, '_>, normal: DVec3, floor: f64) -> f64 {
         let still = Plane {
             normal,
             turn: DVec3::ZERO,
         };
         let turning = window.a.spin.length() + window.b.spin.length();
         if turning + window.turning <= 0.0 {
-            return window.clear_for(&still, floor);
+            return window.clear_for(&still, floor, window.length);
         }
         let mut best = 0.0;
         if turning > 0.0 {
             let turn = self.planes.turning(window, normal);
             // Over a longer time bounds of higher order weigh too much.
             let length = window.length.min(0.5 / turning.max(turn.length()));
-            let short = Window { length, ..*window };
-            best = short.clear_for(&Plane { normal, turn }, floor);
+            best = window.clear_for(&Plane { normal, turn }, floor, length);
             // As a rule that is the longest but where it ends with the window.
             if best > 0.0 && best < length {
                 return best;
             }
         }
-        best = best.max(window.clear_for(&still, floor));
+        best = best.max(window.clear_for(&still, floor, window.length));
         if best < window.length {
             best = best.max(self.turned_all_round(window, normal, floor));
         }
@@ -392,7 +403,7 @@ impl<'a, P: Planes> Search<'_, 'a, P> {
     }
 
     /// How long a plane parts the solids of revolution that spinning bodies fill.
-    fn turned_all_round(&self, window: &Window<'_>, normal: DVec3, floor: f64) -> f64 {
+    fn turned_all_round(&self, window: &Window<'_, '_>, normal: DVec3, floor: f64) -> f64 {
         let heights = self.a.lowest_ever(normal) + self.b.lowest_ever(-normal);
         let parabola = Parabola {
             start: normal.dot(window.offset) + heights - window.radii - floor,
@@ -407,7 +418,7 @@ impl<'a, P: Planes> Search<'_, 'a, P> {
     }
 
     /// What bodies in touch do: at the frame's start they may part or slide, later they have met.
-    fn in_touch(&mut self, window: &Window<'_>, normal: Option<DVec3>) -> Option<Encounter> {
+    fn in_touch(&mut self, window: &Window<'_, '_>, normal: Option<DVec3>) -> Option<Encounter> {
         let met = meet((self.a, self.b), window, normal, self.time, self.touch);
         let Meeting {
             touching,

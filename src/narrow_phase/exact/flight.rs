@@ -17,6 +17,8 @@ pub(crate) struct Flight<'a> {
     orientation: DQuat,
     /// The hub in the body's own frame.
     hub: DVec3,
+    /// The same along the world's axes, as the motion begins.
+    hub_shift: DVec3,
     /// No vertex of the core is farther from the hub, in metres; of a spin, from its axis.
     pub(super) arm: f64,
     /// The core lies between these heights above the hub along a spin's axis.
@@ -50,6 +52,7 @@ impl<'a> Flight<'a> {
             frame,
             orientation,
             hub: centre,
+            hub_shift: DVec3::ZERO,
             arm: size - radius,
             extent: [radius - size, size - radius],
             radius,
@@ -68,12 +71,28 @@ impl<'a> Flight<'a> {
                 let axis = orientation.conjugate() * spin.axis();
                 flight.hub = spin.point() + (centre - spin.point()).dot(axis) * axis;
                 let (mut arm, mut low, mut high) = (0.0_f64, 0.0_f64, 0.0_f64);
-                flight.each_vertex(|vertex| {
-                    let offset = vertex - flight.hub;
-                    let height = offset.dot(axis);
-                    arm = arm.max((offset - height * axis).length_squared());
-                    (low, high) = (low.min(height), high.max(height));
-                });
+                if let Shape::Cuboid(cuboid) = shape
+                    && flight.hub == DVec3::ZERO
+                {
+                    // Four corners and their opposites.
+                    let half = cuboid.half_extents();
+                    let along = half * axis;
+                    let [x, y, z] = along.to_array();
+                    let least = (x + y + z).abs().min((x + y - z).abs());
+                    let least = least.min((x - y + z).abs()).min((y + z - x).abs());
+                    let square = half.length_squared();
+                    // What rounding takes off a bar about its long axis is put on.
+                    arm = (square - least * least).max(0.0) + 16.0 * f64::EPSILON * square;
+                    high = along.abs().element_sum();
+                    low = -high;
+                } else {
+                    flight.each_vertex(|vertex| {
+                        let offset = vertex - flight.hub;
+                        let height = offset.dot(axis);
+                        arm = arm.max((offset - height * axis).length_squared());
+                        (low, high) = (low.min(height), high.max(height));
+                    });
+                }
                 let rounding = grown(0.0) + 16.0 * f64::EPSILON * (size + flight.hub.length());
                 flight.arm = arm.sqrt() + rounding;
                 flight.extent = [low - rounding, high + rounding];
@@ -81,6 +100,7 @@ impl<'a> Flight<'a> {
                 flight.reach = grown(size + distance) + rounding;
             }
         }
+        flight.hub_shift = orientation * flight.hub;
         flight
     }
 
@@ -98,10 +118,15 @@ impl<'a> Flight<'a> {
         self.frame.pose_at(self.motion, self.orientation, fraction)
     }
 
-    /// Where its hub is as the frame begins.
-    pub(super) fn hub_at_start(&self) -> DVec3 {
-        let pose = self.pose_at(0.0);
-        pose.position + pose.direction(self.hub)
+    /// Where its motion has carried it at a fraction of the frame.
+    pub(super) fn carried_at(&self, fraction: f64) -> DVec3 {
+        self.frame.position_at(self.motion, fraction)
+    }
+
+    /// From the carried point to the hub, which no spin moves: it lies beside the point along the
+    /// axis.
+    pub(super) fn hub_shift(&self) -> DVec3 {
+        self.hub_shift
     }
 
     /// Whether it moves as its carried point does: it does not turn, or is a ball about that point.
@@ -113,9 +138,12 @@ impl<'a> Flight<'a> {
         }
     }
 
-    /// Where the body is at a fraction of the frame.
-    pub(super) fn at(&self, fraction: f64) -> Instant<'a> {
-        let pose = self.pose_at(fraction);
+    /// Where the body is at a fraction of the frame, when its motion has carried it to `carried`.
+    #[inline]
+    pub(super) fn at(&self, fraction: f64, carried: DVec3) -> Instant<'a> {
+        let pose = self
+            .frame
+            .turned_at(self.motion, self.orientation, fraction, carried);
         Instant {
             shape: self.shape,
             hub: self.hub,

@@ -1,11 +1,11 @@
 //! The first touch of two bodies on any course that do not turn.
 
 use super::advance::Encounter;
-use super::cast;
 use super::cubic::first_root;
 use super::flight::Flight;
 use super::parting::{BallAndBox, Balls, Boxes, Hulls, Parted, Parting};
 use super::window::Parabola;
+use super::{Touching, aligned, cast};
 use crate::curve::Section;
 use crate::geometry::{Pose, Shape};
 use crate::motion::{Course, Stretch};
@@ -306,16 +306,7 @@ impl<P: Parting> Search<'_, '_, P> {
         let start = parted.gap - floor;
         // Nobody is faster than this; what is lost is rounding.
         let anyhow = start / (self.flights[0].speed + self.flights[1].speed) * (1.0 - 1e-9);
-        let ahead = motion.root(
-            start,
-            parted.normal,
-            Known {
-                bend: 0.0,
-                rise: 0.0,
-                ..Known::NOTHING
-            },
-            until - self.time,
-        );
+        let ahead = motion.ahead(start, parted.normal);
         if self.known.until <= self.time {
             let longest = self.longest.max(2.0 * anyhow);
             let length = (1.5 * ahead).min(longest).min(motion.straight_for);
@@ -325,24 +316,17 @@ impl<P: Parting> Search<'_, '_, P> {
         let mut by = 0.0;
         if window > 0.0 {
             by = motion.clear_for(start, parted.normal, self.known, window);
-            // The plane where they are about to be does for longer.
-            for _ in 0..2 {
-                if by >= window {
-                    break;
-                }
-                let there = motion.offset_after(by);
-                let Some(next) = self.parting.part(between + there) else {
-                    break;
-                };
+            // The plane where they are about to be does for longer. It is asked for without waiting for how
+            // far this one does.
+            let there = motion.offset_after(ahead.min(window));
+            if by < window
+                && let Some(next) = self.parting.part(between + there)
+            {
                 let start = next.gap - next.normal.dot(there) - floor;
-                if !(start > 0.0) {
-                    break;
+                if start > 0.0 {
+                    let longer = motion.clear_for(start, next.normal, self.known, window);
+                    by = by.max(longer);
                 }
-                let longer = motion.clear_for(start, next.normal, self.known, window);
-                if longer <= by {
-                    break;
-                }
-                by = longer;
             }
         }
         if anyhow >= by {
@@ -390,12 +374,17 @@ impl<P: Parting> Search<'_, '_, P> {
                 let stretch = &self.stretches[side];
                 if let Course::Curve(curve) = &stretch.course {
                     let leave = curve.u_at(stretch.share_at(end));
-                    let section = Section::of(curve.piece, [place.u, leave], curve.is_forward());
-                    match section.limits() {
-                        Some(limits) => {
+                    let middle = 0.5 * (place.u + leave);
+                    let half = |from: f64, to: f64| {
+                        Section::of(curve.piece, [from, to], curve.is_forward()).limits()
+                    };
+                    // What bounds halves does so far better than what bounds the whole.
+                    match half(place.u, middle).zip(half(middle, leave)) {
+                        Some((first, second)) => {
                             let speed = self.flights[side].speed;
-                            known.bend += speed * speed * limits.curvature;
-                            known.rise += speed * speed * speed * limits.rise;
+                            let square = speed * speed;
+                            known.bend += square * first.curvature.max(second.curvature);
+                            known.rise += square * speed * first.rise.max(second.rise);
                         }
                         None => bounded = false,
                     }
@@ -409,6 +398,19 @@ impl<P: Parting> Search<'_, '_, P> {
         Known::NOTHING
     }
 
+    /// How they touch on a straight way.
+    fn cast(&self, between: DVec3, motion: DVec3) -> Option<Touching> {
+        let (shapes, [a, b]) = (self.flights.map(|flight| flight.shape), self.turned);
+        if let (Shape::Cuboid(of_a), Shape::Cuboid(of_b)) = (shapes[0], shapes[1])
+            && a == b
+            && let Some(touching) = aligned::touch([of_a, of_b], a, between, motion)
+        {
+            return Some(touching);
+        }
+        let poses = [Pose::new(between, a), Pose::new(DVec3::ZERO, b)];
+        cast::touch(shapes[0], &poses[0], shapes[1], &poses[1], motion)
+    }
+
     /// The touch of bodies that are nearer than what counts.
     ///
     /// The last bit of the way is straight: one exact cast gives time, point, normal and features.
@@ -417,10 +419,7 @@ impl<P: Parting> Search<'_, '_, P> {
         if !(self.time > 0.0 && motion.is_finite()) {
             return left;
         }
-        let (shapes, [a, b]) = (self.flights.map(|flight| flight.shape), self.turned);
-        let poses = [Pose::new(between, a), Pose::new(DVec3::ZERO, b)];
-        let Some(mut touching) = cast::touch(shapes[0], &poses[0], shapes[1], &poses[1], motion)
-        else {
+        let Some(mut touching) = self.cast(between, motion) else {
             return left;
         };
         let reach = self.flights[0].reach + self.flights[1].reach;
@@ -480,14 +479,18 @@ impl Motion {
     /// The acceleration changes by `rise · σ` at most until `σ`, which takes `rise · σ³/6 ≤ ½σ² ·
     /// rise · window/3` off the gap; and it is `bend` at most.
     fn root(&self, start: f64, normal: DVec3, known: Known, window: f64) -> f64 {
-        let slope = normal.dot(self.velocity);
         let bend = known.rise * window / 3.0 - normal.dot(self.acceleration);
-        // NaN of what is not known is taken for the other.
-        let bend = if known.bend > 0.0 {
-            bend.min(known.bend)
-        } else {
-            bend
-        };
+        self.parabola(start, normal, bend.min(known.bend))
+    }
+
+    /// When the gap may be closed as far as is known now.
+    fn ahead(&self, start: f64, normal: DVec3) -> f64 {
+        self.parabola(start, normal, -normal.dot(self.acceleration))
+    }
+
+    #[inline]
+    fn parabola(&self, start: f64, normal: DVec3, bend: f64) -> f64 {
+        let slope = normal.dot(self.velocity);
         if slope >= 0.0 && bend <= 0.0 {
             return f64::INFINITY;
         }
@@ -498,17 +501,13 @@ impl Motion {
 
     /// How long a gap of `start` along `normal` stays open for certain, up to `window`.
     fn clear_for(&self, start: f64, normal: DVec3, known: Known, window: f64) -> f64 {
-        let within = |window: f64| self.root(start, normal, known, window).min(window);
-        let mut by = within(window);
         // The shorter the window, the better the bound: the longest that is clear to its end lies
-        // between each root and the next.
-        for _ in 0..2 {
-            if by >= window {
-                break;
-            }
-            let longer = self.root(start, normal, known, by).min(window);
-            by = by.max(within(longer));
+        // between the root for the whole and the root for that one.
+        let by = self.root(start, normal, known, window);
+        if by >= window {
+            return window;
         }
-        by
+        let longer = self.root(start, normal, known, by).min(window);
+        by.max(self.root(start, normal, known, longer).min(longer))
     }
 }

@@ -27,7 +27,7 @@ const NEAR: f64 = 1e-6;
 /// the velocity of the point of touch gives time, point, normal and features.
 pub(super) fn meet(
     (a, b): (&Flight<'_>, &Flight<'_>),
-    window: &Window<'_>,
+    window: &Window<'_, '_>,
     normal: Option<DVec3>,
     time: f64,
     touch: f64,
@@ -82,7 +82,7 @@ pub(super) fn meet(
 /// One exact cast across the gap gives point, normal and features.
 pub(super) fn strike(
     (a, b): (&Flight<'_>, &Flight<'_>),
-    window: &Window<'_>,
+    window: &Window<'_, '_>,
     normal: DVec3,
     time: f64,
     touch: f64,
@@ -134,7 +134,7 @@ fn nearest(a: &Shape, pose_a: &Pose, b: &Shape, pose_b: &Pose) -> Option<(Touchi
 /// How fast A's point moves relative to B's that lies at `point` from B's position.
 fn velocity_at(
     (a, b): (&Flight<'_>, &Flight<'_>),
-    window: &Window<'_>,
+    window: &Window<'_, '_>,
     point: DVec3,
     time: f64,
 ) -> DVec3 {

@@ -8,6 +8,7 @@
 //! from the features that touch.
 
 mod advance;
+mod aligned;
 mod ball_approach;
 mod ball_ball;
 mod ball_capsule;

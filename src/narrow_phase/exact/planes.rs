@@ -22,7 +22,7 @@ pub(super) trait Planes {
 
     /// How a plane across `normal` turns with the features that it was found by, in radians per
     /// frame.
-    fn turning(&self, window: &Window<'_>, normal: DVec3) -> DVec3;
+    fn turning(&self, window: &Window<'_, '_>, normal: DVec3) -> DVec3;
 }
 
 /// The plane across the nearest points of any two shapes.
@@ -55,7 +55,7 @@ impl Planes for Nearest<'_> {
         })
     }
 
-    fn turning(&self, window: &Window<'_>, normal: DVec3) -> DVec3 {
+    fn turning(&self, window: &Window<'_, '_>, normal: DVec3) -> DVec3 {
         of_features(window, self.separator.nearest_vertices(), normal)
     }
 }
@@ -120,7 +120,7 @@ impl Planes for TurningBall {
     }
 
     #[inline]
-    fn turning(&self, window: &Window<'_>, normal: DVec3) -> DVec3 {
+    fn turning(&self, window: &Window<'_, '_>, normal: DVec3) -> DVec3 {
         match (self.corner, self.ball) {
             (true, _) => DVec3::ZERO,
             (false, Place::First) => window.b.spin.cross(normal),
@@ -232,7 +232,7 @@ impl Planes for TurningBoxes {
     }
 
     #[inline]
-    fn turning(&self, window: &Window<'_>, normal: DVec3) -> DVec3 {
+    fn turning(&self, window: &Window<'_, '_>, normal: DVec3) -> DVec3 {
         match self.axis {
             Axis::A => window.a.spin.cross(normal),
             Axis::B => window.b.spin.cross(normal),

@@ -38,7 +38,7 @@ impl Distinct {
 /// A face takes it along, and so does an edge; across two edges it turns so that both stay in
 /// it. Then the heights of the features' vertices above each other change alike, and the bounds
 /// of a [`Window`] are those of the features' distance but for terms of the second order.
-pub(super) fn of_features(window: &Window<'_>, nearest: &[[u32; 2]], normal: DVec3) -> DVec3 {
+pub(super) fn of_features(window: &Window<'_, '_>, nearest: &[[u32; 2]], normal: DVec3) -> DVec3 {
     let a = Distinct::of(nearest.iter().map(|pair| pair[0]));
     let b = Distinct::of(nearest.iter().map(|pair| pair[1]));
     let (spin_a, spin_b) = (window.a.spin, window.b.spin);
@@ -56,7 +56,7 @@ pub(super) fn of_features(window: &Window<'_>, nearest: &[[u32; 2]], normal: DVe
 
 /// How the plane along an edge of A and one of B turns with both.
 pub(super) fn across_edges(
-    window: &Window<'_>,
+    window: &Window<'_, '_>,
     [along_a, along_b]: [DVec3; 2],
     normal: DVec3,
 ) -> DVec3 {
