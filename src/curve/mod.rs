@@ -9,6 +9,7 @@ mod bezier;
 mod catmull_rom;
 #[cfg(feature = "serde")]
 mod data;
+mod fit;
 mod hermite;
 mod hodograph;
 mod quadratic;

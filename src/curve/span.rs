@@ -215,12 +215,19 @@ impl Span {
             })
     }
 
+    /// The span with the curve's velocity along it.
+    pub(crate) fn place(&self, velocity: &[DVec3; 3]) -> Place<'_> {
+        Place {
+            span: self,
+            hodograph: Hodograph::over(velocity, self.u_start, self.width),
+        }
+    }
+
     /// The parameter at `distance` from the path's start.
     #[inline]
     pub(crate) fn u_at(&self, velocity: &[DVec3; 3], distance: f64) -> f64 {
-        let hodograph = Hodograph::over(velocity, self.u_start, self.width);
-        let x = self.invert(&hodograph, distance - self.start);
-        (self.u_start + x * self.width).min(1.0)
+        let width = self.place(velocity).width_to(distance - self.start);
+        (self.u_start + width).min(1.0)
     }
 
     /// The distance from the path's start to the parameter `u`; none if that lies beyond the span.
@@ -252,6 +259,20 @@ impl Span {
             return step.last(x);
         }
         iterate(hodograph, distance, x)
+    }
+}
+
+/// A span, and the velocity along it.
+pub(crate) struct Place<'s> {
+    span: &'s Span,
+    hodograph: Hodograph,
+}
+
+impl Place<'_> {
+    /// How far the parameter goes on the first `distance` metres.
+    #[inline]
+    pub(crate) fn width_to(&self, distance: f64) -> f64 {
+        self.span.invert(&self.hodograph, distance) * self.span.width
     }
 }
 

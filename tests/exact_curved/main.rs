@@ -7,4 +7,5 @@
 )]
 
 mod named;
+mod routes;
 mod seams;

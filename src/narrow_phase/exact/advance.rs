@@ -205,7 +205,9 @@ impl<'a, P: Planes> Search<'_, 'a, P> {
         let b = self.b.at(self.time, at_b);
         let between = a.pose.position - b.pose.position;
         let offset = between + (a.hub_offset() - b.hub_offset());
-        if self.a.turns() || self.b.turns() {
+        // What is kept from before is of bodies that do not turn, and even of these only if it was
+        // told once.
+        if !P::DECIDES || self.a.turns() || self.b.turns() {
             self.planes.turn(&a, &b);
         }
         let found = self.planes.part(between);

@@ -31,6 +31,7 @@ mod extremes;
 mod faces;
 mod flat;
 mod flight;
+mod gait;
 mod gliding;
 mod meeting;
 mod normal_cone;
