@@ -106,7 +106,7 @@ impl Section {
         let axis = a + b + c;
         let slowest = axis.dot(a).min(axis.dot(b)).min(axis.dot(c)) / axis.length();
         // NaN, of an axis that vanishes, is none.
-        if !(slowest > 0.0) {
+        if slowest.is_nan() || slowest <= 0.0 {
             return None;
         }
         let rate = 1.0 / self.width.abs();

@@ -247,7 +247,7 @@ impl Span {
     fn invert(&self, hodograph: &Hodograph, distance: f64) -> f64 {
         let share = distance * self.per_length;
         // A span of no length is all one point: 0 · ∞.
-        if !(share > 0.0) {
+        if share.is_nan() || share <= 0.0 {
             return 0.0;
         }
         if share >= 1.0 {

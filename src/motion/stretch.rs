@@ -147,7 +147,7 @@ impl Curve<'_> {
         }
         let share = (self.spline.distance_at(self.index, u) - start) / (end - start);
         // NaN, of a stretch without length, counts as its start.
-        share.max(0.0).min(1.0)
+        if share > 0.0 { share.min(1.0) } else { 0.0 }
     }
 
     /// Whether it is passed in the sense of its parameter.

@@ -15,7 +15,7 @@ fn arch() -> Path {
 
 fn contact(a: &Body, b: &Body) -> PairContact {
     let found = first_contact(a, b, 1.0, &Method::Exact).unwrap();
-    found.expect("they meet")
+    found.unwrap()
 }
 
 fn alike(found: &PairContact, want: &PairContact, place: &str) {

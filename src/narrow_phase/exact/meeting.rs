@@ -103,11 +103,8 @@ pub(super) fn strike(
         return None;
     }
     let later = (touching.fraction * reach * alike / closing).max(0.0);
-    if !(later * speed <= NEAR * reach + 4.0 * touch) {
-        return None;
-    }
     touching.fraction = (time + later).min(1.0);
-    Some(touching)
+    (later * speed <= NEAR * reach + 4.0 * touch).then_some(touching)
 }
 
 /// The nearest points, or the deepest ones of bodies that overlap.

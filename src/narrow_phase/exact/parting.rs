@@ -111,8 +111,8 @@ impl Boxes {
         for axis in 0..3 {
             boxes.put(axis, of_b[axis], &edges);
             boxes.put(3 + axis, of_a[axis], &edges);
-            for other in 0..3 {
-                let cross = of_a[axis].cross(of_b[other]);
+            for (other, along) in of_b.iter().enumerate() {
+                let cross = of_a[axis].cross(*along);
                 let square = cross.length_squared();
                 if square > PARALLEL {
                     boxes.put(6 + 3 * axis + other, cross / square.sqrt(), &edges);

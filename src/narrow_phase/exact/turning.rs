@@ -44,7 +44,7 @@ pub(super) fn of_features(window: &Window<'_, '_>, nearest: &[[u32; 2]], normal:
     let (spin_a, spin_b) = (window.a.spin, window.b.spin);
     match (a.count, b.count) {
         (2, 2) => {
-            let edges = [a.edge(&window.a.instant), b.edge(&window.b.instant)];
+            let edges = [a.edge(window.a.instant), b.edge(window.b.instant)];
             across_edges(window, edges, normal)
         }
         (count_a, count_b) if count_a > count_b => spin_a.cross(normal),
