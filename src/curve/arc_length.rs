@@ -246,7 +246,7 @@ mod tests {
         // Of these wild curves three quarters; what has none is looked up with an integral.
         assert!(10 * good > 7 * all, "{good} of {all}");
         for share in 0..10_000 {
-            let distance = short.length() * f64::from(share) / 9_999.0;
+            let distance = short.length() * f64::from(share) / 10_000.0;
             let (piece, u) = short.locate(&pieces, distance);
             let (other, v) = arc_length.locate(&pieces, distance);
             assert!(
