@@ -5,7 +5,7 @@
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use feeler::{Body, Cuboid, Method, Motion, Path, Shape, Sphere, first_contact};
-use glam::DVec3;
+use glam::{DQuat, DVec3};
 use std::hint::black_box;
 
 fn arch(turn: f64) -> Path {
@@ -15,6 +15,10 @@ fn arch(turn: f64) -> Path {
 
 fn along(shape: impl Into<Shape>, turn: f64) -> Body {
     Body::moving(shape, Motion::along(arch(turn), 8.0).unwrap())
+}
+
+fn along_slower(shape: impl Into<Shape>, turn: f64) -> Body {
+    Body::moving(shape, Motion::along(arch(turn), 6.0).unwrap())
 }
 
 fn spinning(from: [f64; 3], velocity: [f64; 3], axis: [f64; 3], rate: f64) -> Body {
@@ -40,7 +44,34 @@ fn pairs(criterion: &mut Criterion) {
             along(ball, 1.0),
             Body::fixed(ball, [0.0, -1.0, 0.0]),
         ),
-        ("balls on two Béziers", along(ball, 1.0), along(ball, -1.0)),
+        (
+            "balls on two Béziers that meet",
+            along(ball, 1.0),
+            along_slower(ball, -1.0),
+        ),
+        (
+            "balls on two Béziers that graze",
+            along(ball, 1.0),
+            along(ball, -1.0),
+        ),
+        (
+            "ball on a Bézier, ball on a line",
+            along(ball, 1.0),
+            Body::moving(
+                ball,
+                Motion::free([0.0, 1.0, 0.0], [0.0, -4.0, 0.0]).unwrap(),
+            ),
+        ),
+        (
+            "box on a Bézier, turned box",
+            along(cube, 1.0),
+            Body::fixed(cube, [0.0, -1.0, 0.0]).oriented(DQuat::from_rotation_y(0.5)),
+        ),
+        (
+            "boxes on two Béziers",
+            along(cube, 1.0),
+            along_slower(cube, -1.0),
+        ),
         (
             "spinning bar, ball",
             bar,

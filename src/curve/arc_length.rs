@@ -1,99 +1,108 @@
 //! From distance flown to place on a sequence of curves, and back.
 
 use crate::curve::CubicBezier;
-use crate::curve::fit::{Fit, Fitter};
-use crate::curve::hodograph::Hodograph;
+use crate::curve::fit::{FITTER, Fit};
 use crate::curve::span::{self, Span};
 
 /// Arc length over a sequence of curves: exact, both ways.
 ///
 /// Every curve is cut into spans on which one quadrature rule is exact to
-/// rounding. A distance finds its span through a grid of equal cells, two per span,
-/// and a bisection among the spans that start in its cell (one, if pieces are of
-/// like length); there a polynomial is the inverse, which was checked against
-/// the integral inverted by iteration. Where it does not do, as beside a cusp,
-/// iteration is what answers.
+/// rounding. A distance finds its curve through a grid of equal cells, two per curve,
+/// and a bisection among the curves that start in its cell (none or one, if they are of
+/// like length), and then its span; there an interpolation guesses the inverse, and one step of
+/// an iteration on the integral makes it exact. Splines that are not long have a polynomial besides that
+/// is the inverse itself, wherever that was found to be so.
+///
+/// What tells curve and span is small and stays near at hand; so a look-up among ten thousand
+/// curves waits for memory once, for the curve and its spans together.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct ArcLength {
-    /// Distance from the path's start to each span's; ascending.
-    starts: Vec<f64>,
-    spans: Vec<PieceSpan>,
-    /// One for every span.
+    /// By ascending distance.
+    spans: Vec<Span>,
+    /// One for every span, or none at all.
     fits: Vec<Fit>,
-    /// How many spans start in an earlier cell; one entry more than cells.
+    /// Number of each curve's first span; one entry more than curves.
+    firsts: Vec<u32>,
+    /// For each curve where its second span starts and so on: infinity where there are no more.
+    edges: Vec<[f64; EDGES]>,
+    /// Distance from the path's start to each curve's; one entry more than curves.
+    joints: Vec<f64>,
+    /// How many curves start in an earlier cell; one entry more than cells.
     cells: Vec<u32>,
     cells_per_metre: f64,
     length: f64,
 }
 
-/// Cells of the grid for each span. More leave fewer spans to a cell, at 4 bytes each.
+/// Cells of the grid for each curve. More leave fewer curves to a cell, at 4 bytes each.
 const CELLS: usize = 2;
 
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct PieceSpan {
-    piece: usize,
-    span: Span,
-}
+/// Curves up to which spans have a [`Fit`] each: some 400 kB.
+///
+/// A look-up takes half the time by a fit, if that is near at hand; of more curves it is not, and memory is what
+/// counts.
+const FITTED: usize = 256;
+
+/// Spans of a curve, but the first, that are told apart without a branch.
+///
+/// A cache line. Random curves have five or six spans; of one in a hundred thousand that has more than nine
+/// the rest are bisected.
+const EDGES: usize = 8;
 
 impl ArcLength {
     /// Measures `pieces`. If one is shorter than `min_piece`: its index and length.
     pub(crate) fn measure(pieces: &[CubicBezier], min_piece: f64) -> Result<Self, (usize, f64)> {
-        let mut starts = Vec::with_capacity(pieces.len());
-        let mut spans = Vec::with_capacity(pieces.len());
-        let mut fits = Vec::with_capacity(pieces.len());
+        let count = pieces.len();
+        let mut firsts = Vec::with_capacity(count + 1);
+        let mut joints = Vec::with_capacity(count + 1);
+        let mut edges = Vec::with_capacity(count);
+        let mut fits = Vec::new();
+        let mut spans = Vec::with_capacity(2 * count);
         let mut sum = Sum::default();
-        let fitter = Fitter::new();
         for (piece, curve) in pieces.iter().enumerate() {
+            joints.push(sum.value());
+            firsts.push(spans.len() as u32);
             let mut length = 0.0;
-            let mut keep = |span: Span, mut fit: Fit| {
-                let start = sum.value();
-                starts.push(start);
-                spans.push(PieceSpan { piece, span });
-                fit.start = start;
-                fits.push(fit);
-                sum.add(span.length);
-                length += span.length;
-            };
             let velocity = curve.velocity();
-            let fit = |span: &Span| {
-                let hodograph = Hodograph::over(&velocity, span.u_start, span.width);
-                fitter.fit(piece as u32, &hodograph, span)
-            };
-            span::subdivide(&velocity, 0.0..1.0, |span| {
-                let whole = fit(&span);
-                // Half as wide, zeros of the speed are twice as far; but beside a
-                // standstill that changes nothing.
-                if !whole.good {
-                    let halves = span.halves(&velocity);
-                    let [first, second] = [fit(&halves[0]), fit(&halves[1])];
-                    if first.good || second.good {
-                        keep(halves[0], first);
-                        keep(halves[1], second);
-                        return;
+            span::subdivide(&velocity, 0.0..1.0, |cut| {
+                Span::each(&velocity, &cut, |mut span, way| {
+                    span.start = sum.value();
+                    if count <= FITTED {
+                        fits.push(FITTER.fit(&velocity, &span, way));
                     }
-                }
-                keep(span, whole);
+                    spans.push(span);
+                    sum.add(way);
+                    length += way;
+                });
             });
+            let mut starts = [f64::INFINITY; EDGES];
+            let first = firsts.last().map_or(0, |&first| first as usize);
+            for (start, span) in starts.iter_mut().zip(spans.iter().skip(first + 1)) {
+                *start = span.start;
+            }
+            edges.push(starts);
             debug_assert!(length.is_finite(), "piece {piece} has length {length}");
             if length < min_piece {
                 return Err((piece, length));
             }
         }
+        joints.push(sum.value());
+        firsts.push(spans.len() as u32);
         let mut arc_length = Self {
+            edges,
             fits,
-            cells: Vec::with_capacity(CELLS * spans.len() + 1),
-            cells_per_metre: (CELLS * spans.len()) as f64 / sum.value(),
-            length: sum.value(),
-            starts,
             spans,
+            firsts,
+            joints,
+            cells: Vec::with_capacity(CELLS * count + 1),
+            cells_per_metre: (CELLS * count) as f64 / sum.value(),
+            length: sum.value(),
         };
-        for (index, start) in arc_length.starts.iter().enumerate() {
-            let cell = arc_length.cell(*start);
+        for (index, &start) in arc_length.joints[..count].iter().enumerate() {
+            let cell = arc_length.cell(start);
             while arc_length.cells.len() <= cell {
                 arc_length.cells.push(index as u32);
             }
         }
-        let count = arc_length.spans.len();
         arc_length.cells.resize(CELLS * count + 1, count as u32);
         Ok(arc_length)
     }
@@ -103,53 +112,75 @@ impl ArcLength {
         self.length
     }
 
+    /// The distance at which a curve begins; beyond the last, at which all end.
+    pub(crate) fn joint(&self, piece: usize) -> f64 {
+        self.joints.get(piece).copied().unwrap_or(self.length)
+    }
+
     /// The curve and parameter at `distance`, which is clamped; NaN counts as 0.
     pub(crate) fn locate(&self, pieces: &[CubicBezier], distance: f64) -> (usize, f64) {
         if distance >= self.length {
-            return (pieces.len() - 1, 1.0);
+            return (self.joints.len() - 2, 1.0);
         }
         let distance = distance.max(0.0);
         let cell = self.cell(distance);
-        // `cell` never falls as its argument rises, so spans that start in an
+        // `cell` never falls as its argument rises, so curves that start in an
         // earlier cell start earlier, and those in a later cell start later.
         let first = self.cells[cell] as usize;
-        let same_cell = &self.starts[first..self.cells[cell + 1] as usize];
-        let index = first + same_cell.partition_point(|start| *start <= distance);
-        let index = index.saturating_sub(1);
-        let fit = &self.fits[index];
-        if fit.good {
-            return (fit.piece as usize, fit.u_at(distance).min(1.0));
+        let count = self.cells[cell + 1] as usize - first;
+        let after = if count < 2 {
+            // Without a guess at what is less: there is one joint more than curves.
+            first + (count & usize::from(self.joints[first] <= distance))
+        } else {
+            let same_cell = &self.joints[first..first + count];
+            first + same_cell.partition_point(|start| *start <= distance)
+        };
+        let piece = after.saturating_sub(1);
+        let spans = self.spans_of(piece);
+        let edges = &self.edges[piece];
+        let mut index = edges
+            .map(|start| u32::from(start <= distance))
+            .iter()
+            .sum::<u32>() as usize;
+        if index == EDGES {
+            index = spans.partition_point(|span| span.start <= distance) - 1;
         }
-        let PieceSpan { piece, span } = self.spans[index];
-        let hodograph = pieces[piece].hodograph(span.u_start, span.width);
-        let x = span.invert(&hodograph, distance - self.starts[index]);
-        (piece, (span.u_start + x * span.width).min(1.0))
+        let span = &spans[index];
+        if let Some(fit) = self.fits.get(self.firsts[piece] as usize + index)
+            && fit.good
+        {
+            return (piece, fit.u_at(distance - span.start).min(1.0));
+        }
+        (piece, span.u_at(&pieces[piece].velocity(), distance))
     }
 
     /// The distance at parameter `u` of `piece`; places beyond the ends are clamped.
     pub(crate) fn distance_at(&self, pieces: &[CubicBezier], piece: usize, u: f64) -> f64 {
-        if piece >= pieces.len() {
-            return self.length;
-        }
         let u = u.max(0.0);
-        let after = self.spans.partition_point(|candidate| {
-            candidate.piece < piece || candidate.piece == piece && candidate.span.u_start <= u
-        });
-        let index = after.saturating_sub(1);
-        let PieceSpan { span, .. } = self.spans[index];
-        let end = self.starts.get(index + 1).copied().unwrap_or(self.length);
-        let x = (u - span.u_start) / span.width;
-        if x >= 1.0 {
-            return end;
+        if piece + 1 >= self.joints.len() || u >= 1.0 || u <= 0.0 {
+            return self.joint(piece.saturating_add(usize::from(u >= 1.0)));
         }
-        let hodograph = pieces[piece].hodograph(span.u_start, span.width);
-        (self.starts[index] + hodograph.length_to(x)).min(end)
+        let spans = self.spans_of(piece);
+        let index = spans
+            .partition_point(|span| span.u_start <= u)
+            .saturating_sub(1);
+        let next = spans.get(index + 1);
+        let end = next.map_or_else(|| self.joint(piece + 1), |next| next.start);
+        let distance = spans[index].distance_to(&pieces[piece].velocity(), u);
+        distance.map_or(end, |distance| distance.min(end))
     }
 
+    /// A curve's spans: at least one.
+    #[inline]
+    fn spans_of(&self, piece: usize) -> &[Span] {
+        &self.spans[self.firsts[piece] as usize..self.firsts[piece + 1] as usize]
+    }
+
+    #[inline]
     fn cell(&self, distance: f64) -> usize {
         let cell = distance * self.cells_per_metre;
         // `as` saturates and takes NaN to 0.
-        (cell as usize).min(CELLS * self.spans.len() - 1)
+        (cell as usize).min(CELLS * (self.joints.len() - 1) - 1)
     }
 }
 
@@ -181,9 +212,9 @@ impl Sum {
 mod tests {
     use super::*;
 
-    /// Else look-ups are as slow as iteration, and nobody would see it.
+    /// Else look-ups are slow, and nobody would see it.
     #[test]
-    fn most_spans_have_a_fit_that_is_good() {
+    fn most_spans_are_smooth_and_few() {
         let point = |index: u32| {
             let angle = f64::from(index);
             glam::DVec3::new(
@@ -198,8 +229,30 @@ mod tests {
         let Ok(arc_length) = ArcLength::measure(&pieces, 1e-9) else {
             panic!("the pieces have lengths");
         };
-        let good = arc_length.fits.iter().filter(|fit| fit.good).count();
-        let all = arc_length.fits.len();
-        assert!(20 * good > 19 * all, "{good} of {all}");
+        let all = arc_length.spans.len();
+        let mut smooth = 0;
+        for (index, curve) in pieces.iter().enumerate() {
+            let is_smooth = |span: &&Span| span.is_smooth(&curve.velocity());
+            smooth += arc_length.spans_of(index).iter().filter(is_smooth).count();
+        }
+        assert!(20 * smooth > 19 * all, "{smooth} of {all}");
+        assert!(all < 8 * pieces.len(), "{all} of {}", pieces.len());
+        assert_eq!(size_of::<Span>(), 64);
+        let Ok(short) = ArcLength::measure(&pieces[..FITTED], 1e-9) else {
+            panic!("the pieces have lengths");
+        };
+        let good = short.fits.iter().filter(|fit| fit.good).count();
+        let all = short.spans.len();
+        // Of these wild curves three quarters; what has none is looked up with an integral.
+        assert!(10 * good > 7 * all, "{good} of {all}");
+        for share in 0..10_000 {
+            let distance = short.length() * f64::from(share) / 10_000.0;
+            let (piece, u) = short.locate(&pieces, distance);
+            let (other, v) = arc_length.locate(&pieces, distance);
+            assert!(
+                piece == other && (u - v).abs() < 1e-13,
+                "{piece} {u} {other} {v}"
+            );
+        }
     }
 }

@@ -1,6 +1,6 @@
 //! Cubic Bézier curves.
 
-use crate::curve::{hermite, hodograph::Hodograph, quadratic, span};
+use crate::curve::{hermite, quadratic, span};
 use crate::error::PathError;
 use crate::math::domain;
 use crate::tolerance::MAX_COORDINATE;
@@ -159,7 +159,7 @@ impl CubicBezier {
         };
         let (low, high) = (u_from.min(u_to), u_from.max(u_to));
         let mut length = 0.0;
-        span::subdivide(&velocity, low..high, |span| length += span.length);
+        span::subdivide(&velocity, low..high, |cut| length += cut.length);
         size * length
     }
 
@@ -194,6 +194,19 @@ impl CubicBezier {
         [3.0 * (b1 - b0), 3.0 * (b2 - b1), 3.0 * (b3 - b2)]
     }
 
+    /// How the curve goes on at `u`, by distance: its unit tangent and the derivative of that. Not
+    /// finite in a cusp.
+    pub(crate) fn heading(&self, u: f64) -> (DVec3, DVec3) {
+        let velocity = self.velocity();
+        let (first, second) = (
+            first_derivative(velocity, u),
+            second_derivative(velocity, u),
+        );
+        let square = first.length_squared();
+        let bend = second - first.dot(second) / square * first;
+        (first / square.sqrt(), bend / square)
+    }
+
     /// [`velocity`](Self::velocity) over its largest component, and that: no
     /// square of it underflows, so curves of every size have lengths and tangents.
     /// None if all control points coincide.
@@ -205,11 +218,6 @@ impl CubicBezier {
             .fold(0.0, f64::max);
         // Below that, too little is left of the digits to divide by.
         (largest >= f64::MIN_POSITIVE).then(|| (velocity.map(|vector| vector / largest), largest))
-    }
-
-    /// The velocity over a stretch of the curve.
-    pub(crate) fn hodograph(&self, u_start: f64, width: f64) -> Hodograph {
-        Hodograph::over(&self.velocity(), u_start, width)
     }
 }
 

@@ -1,16 +1,17 @@
 //! The inverse of arc length on one span, as a polynomial.
 
-use crate::curve::hodograph::Hodograph;
 use crate::curve::span::Span;
+use glam::DVec3;
 use std::f64::consts::PI;
+use std::sync::LazyLock;
 
 /// Coefficients of a fit.
 ///
 /// The quadrature rule is exact on a span because the nearest complex zero of the
-/// speed lies more than three half-widths off its middle. There the inverse is singular
-/// as well, and its Chebyshev coefficients fall with `(3 + √8)⁻ᵏ`: the
-/// twentieth is below rounding.
-const COUNT: usize = 20;
+/// speed lies more than two half-widths off its middle. There the inverse is singular
+/// as well, and its Chebyshev coefficients fall with `4.2⁻ᵏ`: the last are below rounding, and
+/// fewer would not make a cache line less.
+const COUNT: usize = 28;
 
 /// Two last coefficients above this, relative to the first, mean that too much was cut off:
 /// what follows them is a sixth of it.
@@ -18,43 +19,43 @@ const TAIL: f64 = 3e-15;
 
 /// How far a fit may be from the iterated inverse where it was not made from it, as a share
 /// of the span: a few times the rounding of both.
-const OFF: f64 = 3e-15;
+const OFF: f64 = 6e-15;
 
-/// The parameter of a curve for a distance on one span: exact to rounding, without a root.
+/// The parameter of a curve for a distance on one span: exact to rounding, without a root or an
+/// integral.
 ///
 /// `u = u_start + y·q(2y − 1)` with the share `y` of the span's length, so that the
-/// span's start comes out bit for bit. Three cache lines, so that a look-up
-/// among any number of spans waits for memory once.
+/// span's start comes out bit for bit. Four cache lines: too much for splines of thousands of pieces, which
+/// do without.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(align(64))]
 pub(super) struct Fit {
-    /// Distance from the path's start to the span's.
-    pub(super) start: f64,
     per_metre: f64,
     u_start: f64,
-    pub(super) piece: u32,
     /// Whether the polynomial is good enough to be the answer.
     pub(super) good: bool,
     coefficients: [f64; COUNT],
 }
 
 impl Fit {
-    /// The parameter at `distance` from the path's start.
+    /// The parameter at `distance` from the span's start.
+    #[inline]
     pub(super) fn u_at(&self, distance: f64) -> f64 {
-        let share = ((distance - self.start) * self.per_metre).min(1.0);
+        let share = (distance * self.per_metre).clamp(0.0, 1.0);
         self.u_start + share * polynomial(&self.coefficients, 2.0 * share - 1.0)
     }
 }
 
 /// `Σ cₖ·tᵏ`, by fours: a third of the latency of Horner's scheme.
+#[inline]
 fn polynomial(c: &[f64; COUNT], t: f64) -> f64 {
     let t2 = t * t;
     let t4 = t2 * t2;
     let t8 = t4 * t4;
     let four = |i: usize| (c[i] + t * c[i + 1]) + t2 * (c[i + 2] + t * c[i + 3]);
-    let low = four(0) + t4 * four(4);
-    let high = four(8) + t4 * four(12);
-    (low + t8 * high) + (t8 * t8) * four(16)
+    let low = (four(0) + t4 * four(4)) + t8 * (four(8) + t4 * four(12));
+    let high = (four(16) + t4 * four(20)) + t8 * four(24);
+    low + (t8 * t8) * high
 }
 
 /// Makes fits; holds what all of them need.
@@ -65,8 +66,11 @@ pub(super) struct Fitter {
     weights: [[f64; COUNT]; COUNT],
 }
 
+/// The one there is, made when it is needed first.
+pub(super) static FITTER: LazyLock<Fitter> = LazyLock::new(Fitter::new);
+
 impl Fitter {
-    pub(super) fn new() -> Self {
+    fn new() -> Self {
         let count = COUNT as f64;
         let angle = |node: usize| PI * (node as f64 + 0.5) / count;
         Self {
@@ -80,31 +84,36 @@ impl Fitter {
         }
     }
 
-    /// The fit of a span of which it is not yet known where it starts.
-    pub(super) fn fit(&self, piece: u32, hodograph: &Hodograph, span: &Span) -> Fit {
-        let at = |share: f64| span.invert(hodograph, share * span.length) * (span.width / share);
+    /// The fit of a span that is `length` long.
+    pub(super) fn fit(&self, velocity: &[DVec3; 3], span: &Span, length: f64) -> Fit {
+        let mut fit = Fit {
+            per_metre: length.recip(),
+            u_start: span.u_start,
+            good: false,
+            coefficients: [0.0; COUNT],
+        };
+        let place = span.place(velocity);
+        let at = |share: f64| place.width_to(share * length) / share;
         let values = self.shares.map(at);
         let chebyshev = self.weights.each_ref().map(|row| {
-            row.iter()
-                .zip(values)
-                .map(|(weight, value)| weight * value)
-                .sum::<f64>()
+            let mut sums = [0.0; 4];
+            for (weights, values) in row.chunks_exact(4).zip(values.chunks_exact(4)) {
+                for lane in 0..4 {
+                    sums[lane] += weights[lane] * values[lane];
+                }
+            }
+            (sums[0] + sums[1]) + (sums[2] + sums[3])
         });
-        let mut fit = Fit {
-            start: 0.0,
-            per_metre: span.length.recip(),
-            u_start: span.u_start,
-            piece,
-            good: false,
-            coefficients: powers(&chebyshev),
-        };
         let tail = chebyshev[COUNT - 1].abs() + chebyshev[COUNT - 2].abs();
         // False for NaN and infinity, of spans without length.
-        fit.good = tail <= TAIL * chebyshev[0].abs()
-            && [1e-4, 0.02, 0.35, 0.6, 0.93, 1.0].into_iter().all(|share| {
+        if tail <= TAIL * chebyshev[0].abs() {
+            fit.coefficients = powers(&chebyshev);
+            let whole = chebyshev[0].abs();
+            fit.good = [1e-4, 0.02, 0.35, 0.6, 0.93, 1.0].into_iter().all(|share| {
                 let value = polynomial(&fit.coefficients, 2.0 * share - 1.0);
-                (value - at(share)).abs() * share <= OFF * span.width
+                (value - at(share)).abs() * share <= OFF * whole
             });
+        }
         fit
     }
 }

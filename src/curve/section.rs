@@ -95,6 +95,44 @@ impl Section {
         }
     }
 
+    /// Upper bounds of how the unit tangent changes with the distance flown; none beside a cusp.
+    ///
+    /// With `c = v × v'`, which is a quadratic Bézier curve again, the unit tangent's
+    /// derivative by distance is `c × v / |v|⁴`, as large as the curvature `κ = |c|/|v|³`; and that one's is
+    /// `c' × v / |v|⁵ − 3 (c × v)(v·v') / |v|⁷ + c × v'⊥ / |v|⁵`, whose last term is `κ²` large. No
+    /// control point is smaller than what bounds it.
+    pub(crate) fn limits(&self) -> Option<Limits> {
+        let [a, b, c] = self.velocity;
+        let axis = a + b + c;
+        let slowest = axis.dot(a).min(axis.dot(b)).min(axis.dot(c)) / axis.length();
+        // NaN, of an axis that vanishes, is none.
+        if slowest.is_nan() || slowest <= 0.0 {
+            return None;
+        }
+        let rate = 1.0 / self.width.abs();
+        let squared = |vector: DVec3| vector.length_squared();
+        let cross = squared(a.cross(b))
+            .max(0.25 * squared(a.cross(c)))
+            .max(squared(b.cross(c)));
+        let cross = 2.0 * rate * cross.sqrt();
+        let change = 2.0 * rate * squared(b - a).max(squared(c - b)).sqrt();
+        let twice = (a - b) + (c - b);
+        let sway = squared(twice.cross(a))
+            .max(squared(twice.cross(b)))
+            .max(squared(twice.cross(c)));
+        let sway = 2.0 * rate * rate * sway.sqrt();
+        let per_speed = 1.0 / slowest;
+        let square = per_speed * per_speed;
+        let curvature = cross * square * per_speed;
+        let rise =
+            (sway + 3.0 * cross * change * per_speed) * square * square + curvature * curvature;
+        let limits = Limits {
+            curvature: curvature * (1.0 + 64.0 * f64::EPSILON),
+            rise: rise * (1.0 + 64.0 * f64::EPSILON),
+        };
+        limits.rise.is_finite().then_some(limits)
+    }
+
     /// What bounds the share of the curvature along any vector; none beside a cusp.
     pub(crate) fn bending(&self) -> Option<Bending> {
         let cone = self.tangents()?;
@@ -110,6 +148,15 @@ impl Section {
             curvature,
         })
     }
+}
+
+/// How much the unit tangent changes on a stretch of a cubic.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Limits {
+    /// Of its first derivative by distance, per metre.
+    pub(crate) curvature: f64,
+    /// Of its second, per square metre.
+    pub(crate) rise: f64,
 }
 
 /// How much a stretch of a cubic bends at most.

@@ -39,99 +39,202 @@ const HALT: f64 = 1e-3;
 const LAST_STEP: f64 = 1e-4;
 
 /// A stretch of a cubic on which one Gauss–Legendre rule gives arc lengths to
-/// rounding, from the stretch's start to anywhere on it.
+/// rounding, from the stretch's start to anywhere on it. One cache line.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[repr(align(64))]
 pub(crate) struct Span {
+    /// Distance from the path's start to the span's.
+    pub(crate) start: f64,
     /// Parameter of the curve at the span's start.
     pub(crate) u_start: f64,
     /// How far the parameter goes.
-    pub(crate) width: f64,
-    /// Arc length.
-    pub(crate) length: f64,
+    width: f64,
+    /// The reciprocal of its arc length.
+    per_length: f64,
     guess: Guess,
 }
 
+/// A stretch of a cubic that is short enough to be a [`Span`].
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Cut {
+    pub(crate) u_start: f64,
+    pub(crate) width: f64,
+    pub(crate) length: f64,
+}
+
+impl Cut {
+    /// Both halves, by the parameter.
+    fn halves(&self, velocity: &[DVec3; 3]) -> [Self; 2] {
+        let width = 0.5 * self.width;
+        [self.u_start, self.u_start + width].map(|u_start| Self {
+            u_start,
+            width,
+            length: Hodograph::over(velocity, u_start, width).length_to(1.0),
+        })
+    }
+}
+
+/// Coefficients of a first guess: two fewer than the degree of the interpolation, whose ends are
+/// known.
+const COUNT: usize = 6;
+
+/// Where inside a span the lengths are taken that a guess is made from: Chebyshev nodes.
+const LOOKS: [f64; COUNT] = [
+    0.017_037_086_855_465_85,
+    0.146_446_609_406_726_24,
+    0.370_590_477_448_739_6,
+    0.629_409_522_551_260_4,
+    0.853_553_390_593_273_8,
+    0.982_962_913_144_534_1,
+];
+
 /// A first guess at the inverse: `x` for a share of the length.
+///
+/// It is good to some 1e-6, and what is left of it one step of the iteration takes off: `f32` will
+/// do.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Guess {
-    /// Quintic Hermite interpolation: coefficients from the first power up.
-    Smooth([f64; 5]),
+    /// `x = y + y(1 − y)·q(y)`, which meets both ends: the coefficients of `q`.
+    Smooth([f32; COUNT]),
     /// From a standstill the length grows as a power of `x`, and the power is the
     /// speed at the end over the mean speed. This is its inverse.
-    FromHalt(f64),
+    FromHalt(f32),
     /// The same from the end.
-    ToHalt(f64),
+    ToHalt(f32),
     /// The speeds at start and end: between them taken as linear, they make
     /// the length a quadratic in `x`.
-    Steep(f64, f64),
+    Steep(f32, f32),
 }
 
 impl Guess {
     fn new(hodograph: &Hodograph, length: f64) -> Self {
         // In units of the mean speed.
-        let (start, start_slope, _) = hodograph.speed(0.0);
-        let (end, end_slope, _) = hodograph.speed(1.0);
-        let (start, start_slope) = (start / length, start_slope / length);
-        let (end, end_slope) = (end / length, end_slope / length);
+        let start = hodograph.velocity(0.0).length() / length;
+        let end = hodograph.velocity(1.0).length() / length;
         if start.min(end) * STEEP > 1.0 {
-            // First and second derivatives of the inverse at both ends.
-            let (a, b) = (1.0 / start, 1.0 / end);
-            let (aa, bb) = (-start_slope * a * a * a, -end_slope * b * b * b);
-            Self::Smooth([
-                a,
-                0.5 * aa,
-                10.0 - 6.0 * a - 4.0 * b - 1.5 * aa + 0.5 * bb,
-                -15.0 + 8.0 * a + 7.0 * b + 1.5 * aa - bb,
-                6.0 - 3.0 * (a + b) + 0.5 * (bb - aa),
-            ])
+            Self::Smooth(Self::interpolation(hodograph, length).map(|c| c as f32))
         } else if start < HALT && end > HALT {
-            Self::FromHalt(1.0 / end)
+            Self::FromHalt(end.recip() as f32)
         } else if end < HALT && start > HALT {
-            Self::ToHalt(1.0 / start)
+            Self::ToHalt(start.recip() as f32)
         } else {
-            Self::Steep(start, end)
+            Self::Steep(start as f32, end as f32)
         }
     }
 
-    /// The guess for a share in `0..1`; it lies there too.
-    fn at(&self, share: f64) -> f64 {
-        let guess = match *self {
-            Self::Smooth([a, b, c, d, e]) => {
-                share * (a + share * (b + share * (c + share * (d + share * e))))
+    /// Newton's divided differences, and from them powers.
+    fn interpolation(hodograph: &Hodograph, length: f64) -> [f64; COUNT] {
+        let shares = LOOKS.map(|x| hodograph.length_to(x) / length);
+        let mut differences: [f64; COUNT] = std::array::from_fn(|i| {
+            let share = shares[i];
+            (LOOKS[i] - share) / (share * (1.0 - share))
+        });
+        for order in 1..COUNT {
+            for i in (order..COUNT).rev() {
+                differences[i] =
+                    (differences[i] - differences[i - 1]) / (shares[i] - shares[i - order]);
             }
-            Self::FromHalt(power) => share.powf(power),
-            Self::ToHalt(power) => 1.0 - (1.0 - share).powf(power),
+        }
+        let mut powers = [0.0; COUNT];
+        for i in (0..COUNT).rev() {
+            // times (y − shareᵢ), and one more difference.
+            for power in (1..COUNT).rev() {
+                powers[power] = powers[power - 1] - shares[i] * powers[power];
+            }
+            powers[0] = differences[i] - shares[i] * powers[0];
+        }
+        powers
+    }
+
+    /// The guess for a share in `0..1`; it lies there too.
+    #[inline]
+    fn at(&self, y: f64) -> f64 {
+        let guess = match *self {
+            Self::Smooth(coefficients) => {
+                let [a, b, c, d, e, f] = coefficients.map(f64::from);
+                let y2 = y * y;
+                let q = (a + y * b) + y2 * ((c + y * d) + y2 * (e + y * f));
+                y + y * (1.0 - y) * q
+            }
+            Self::FromHalt(power) => y.powf(f64::from(power)),
+            Self::ToHalt(power) => 1.0 - (1.0 - y).powf(f64::from(power)),
             Self::Steep(start, end) => {
-                let target = share * (start + end);
+                let (start, end) = (f64::from(start), f64::from(end));
+                let target = y * (start + end);
                 target / (start + (start * start + (end - start) * target).sqrt())
             }
         };
         // False for NaN as well.
-        if guess > 0.0 && guess < 1.0 {
-            guess
-        } else {
-            share
-        }
+        if guess > 0.0 && guess < 1.0 { guess } else { y }
     }
 }
 
 impl Span {
-    fn new(u_start: f64, width: f64, hodograph: &Hodograph, length: f64) -> Self {
-        Self {
-            u_start,
-            width,
-            length,
-            guess: Guess::new(hodograph, length),
+    /// Cuts into spans on which one step of the iteration is enough, if that may be, and hands them
+    /// over with their lengths.
+    pub(crate) fn each(velocity: &[DVec3; 3], cut: &Cut, mut emit: impl FnMut(Self, f64)) {
+        let span = Self::new(velocity, cut);
+        // Beside a standstill halving changes nothing.
+        if span.is_smooth(velocity) || !matches!(span.guess, Guess::Smooth(_)) {
+            emit(span, cut.length);
+            return;
+        }
+        for half in cut.halves(velocity) {
+            let span = Self::new(velocity, &half);
+            if span.is_smooth(velocity) {
+                emit(span, half.length);
+            } else {
+                for quarter in half.halves(velocity) {
+                    emit(Self::new(velocity, &quarter), quarter.length);
+                }
+            }
         }
     }
 
-    /// Both halves of the span, by its parameter.
-    pub(crate) fn halves(&self, velocity: &[DVec3; 3]) -> [Self; 2] {
-        let half = 0.5 * self.width;
-        [self.u_start, self.u_start + half].map(|start| {
-            let hodograph = Hodograph::over(velocity, start, half);
-            Self::new(start, half, &hodograph, hodograph.length_to(1.0))
-        })
+    fn new(velocity: &[DVec3; 3], cut: &Cut) -> Self {
+        let hodograph = Hodograph::over(velocity, cut.u_start, cut.width);
+        Self {
+            start: 0.0,
+            u_start: cut.u_start,
+            width: cut.width,
+            per_length: cut.length.recip(),
+            guess: Guess::new(&hodograph, cut.length),
+        }
+    }
+
+    /// Whether one step of the iteration is enough.
+    ///
+    /// It is not where the curve is fast in between or slow at an end; and not where its speed is a
+    /// polynomial, whose zeros the quadrature does not see and the inverse does.
+    pub(crate) fn is_smooth(&self, velocity: &[DVec3; 3]) -> bool {
+        let hodograph = Hodograph::over(velocity, self.u_start, self.width);
+        matches!(self.guess, Guess::Smooth(_))
+            && [0.06, 0.5, 0.94].into_iter().all(|share| {
+                let x = self.guess.at(share);
+                Step::from(&hodograph, x, share / self.per_length).is_last()
+            })
+    }
+
+    /// The span with the curve's velocity along it.
+    pub(crate) fn place(&self, velocity: &[DVec3; 3]) -> Place<'_> {
+        Place {
+            span: self,
+            hodograph: Hodograph::over(velocity, self.u_start, self.width),
+        }
+    }
+
+    /// The parameter at `distance` from the path's start.
+    #[inline]
+    pub(crate) fn u_at(&self, velocity: &[DVec3; 3], distance: f64) -> f64 {
+        let width = self.place(velocity).width_to(distance - self.start);
+        (self.u_start + width).min(1.0)
+    }
+
+    /// The distance from the path's start to the parameter `u`; none if that lies beyond the span.
+    pub(crate) fn distance_to(&self, velocity: &[DVec3; 3], u: f64) -> Option<f64> {
+        let hodograph = Hodograph::over(velocity, self.u_start, self.width);
+        let x = (u - self.u_start) / self.width;
+        (x < 1.0).then(|| self.start + hodograph.length_to(x))
     }
 
     /// Where on the span, from 0 to 1, the arc length from its start is
@@ -140,51 +243,111 @@ impl Span {
     /// Newton's iteration on the integral with two terms more (Householder), in a
     /// bracket, from an interpolated guess: as a rule one evaluation of the
     /// integral, and at most 100 whatever the speed does.
-    pub(crate) fn invert(&self, hodograph: &Hodograph, distance: f64) -> f64 {
-        // A span of no length is all one point; NaN cannot come here.
-        if distance <= 0.0 || self.length <= 0.0 {
+    #[inline]
+    fn invert(&self, hodograph: &Hodograph, distance: f64) -> f64 {
+        let share = distance * self.per_length;
+        // A span of no length is all one point: 0 · ∞.
+        if share.is_nan() || share <= 0.0 {
             return 0.0;
         }
-        if distance >= self.length {
+        if share >= 1.0 {
             return 1.0;
         }
-        let mut x = self.guess.at(distance / self.length);
-        let (mut low, mut high) = (0.0, 1.0);
-        for _ in 0..100 {
-            let excess = hodograph.length_to(x) - distance;
-            let (speed, first, second) = hodograph.speed(x);
-            let per_speed = 1.0 / speed;
-            let newton = -excess * per_speed;
-            let bend = 0.5 * newton * first * per_speed;
-            let twist = newton * newton * second * per_speed / 6.0;
-            if newton.abs() <= LAST_STEP
-                && bend.abs() <= LAST_STEP
-                && twist.abs() <= LAST_STEP * LAST_STEP
-            {
-                let series = 1.0 - bend + 2.0 * bend * bend - twist;
-                return (x + newton * series).clamp(0.0, 1.0);
-            }
-            if excess.abs() <= f64::EPSILON * distance {
-                break;
-            }
-            if excess > 0.0 {
-                high = x;
-            } else {
-                low = x;
-            }
-            let step = newton / (1.0 + bend).max(0.5);
-            // False for NaN and infinity as well: at a cusp halve instead.
-            x = if x + step > low && x + step < high {
-                x + step
-            } else {
-                0.5 * (low + high)
-            };
-            if high - low <= f64::EPSILON * low {
-                break;
-            }
+        let x = self.guess.at(share);
+        let step = Step::from(hodograph, x, distance);
+        if step.is_last() {
+            return step.last(x);
         }
-        x
+        iterate(hodograph, distance, x)
     }
+}
+
+/// A span, and the velocity along it.
+pub(crate) struct Place<'s> {
+    span: &'s Span,
+    hodograph: Hodograph,
+}
+
+impl Place<'_> {
+    /// How far the parameter goes on the first `distance` metres.
+    #[inline]
+    pub(crate) fn width_to(&self, distance: f64) -> f64 {
+        self.span.invert(&self.hodograph, distance) * self.span.width
+    }
+}
+
+/// What the inverse's series says where a guess is.
+struct Step {
+    excess: f64,
+    newton: f64,
+    bend: f64,
+    twist: f64,
+}
+
+impl Step {
+    #[inline]
+    fn from(hodograph: &Hodograph, x: f64, distance: f64) -> Self {
+        let excess = hodograph.length_to(x) - distance;
+        let (speed, first, second) = hodograph.speed(x);
+        let per_speed = 1.0 / speed;
+        let newton = -excess * per_speed;
+        Self {
+            excess,
+            newton,
+            bend: 0.5 * newton * first * per_speed,
+            twist: newton * newton * second * per_speed / 6.0,
+        }
+    }
+
+    #[inline]
+    fn is_last(&self) -> bool {
+        self.newton.abs() <= LAST_STEP
+            && self.bend.abs() <= LAST_STEP
+            && self.twist.abs() <= LAST_STEP * LAST_STEP
+    }
+
+    #[inline]
+    fn last(&self, x: f64) -> f64 {
+        let series = 1.0 - self.bend + 2.0 * self.bend * self.bend - self.twist;
+        (x + self.newton * series).clamp(0.0, 1.0)
+    }
+}
+
+#[cold]
+fn iterate(hodograph: &Hodograph, distance: f64, guess: f64) -> f64 {
+    let mut x = guess;
+    let (mut low, mut high) = (0.0, 1.0);
+    for _ in 0..100 {
+        let step = Step::from(hodograph, x, distance);
+        if step.is_last() {
+            return step.last(x);
+        }
+        let Step {
+            excess,
+            newton,
+            bend,
+            ..
+        } = step;
+        if excess.abs() <= f64::EPSILON * distance {
+            break;
+        }
+        if excess > 0.0 {
+            high = x;
+        } else {
+            low = x;
+        }
+        let step = newton / (1.0 + bend).max(0.5);
+        // False for NaN and infinity as well: at a cusp halve instead.
+        x = if x + step > low && x + step < high {
+            x + step
+        } else {
+            0.5 * (low + high)
+        };
+        if high - low <= f64::EPSILON * low {
+            break;
+        }
+    }
+    x
 }
 
 /// Cuts the stretch `range` of a cubic into spans and hands them over in order.
@@ -196,7 +359,7 @@ impl Span {
 /// but halts, its speed has a kink, and a kink between a span's end and its first
 /// node is seen by neither rule. So the curve is first cut wherever it is slow and
 /// slowest; beside a cusp that lies on a cut the speed is smooth.
-pub(crate) fn subdivide(velocity: &[DVec3; 3], range: Range<f64>, mut emit: impl FnMut(Span)) {
+pub(crate) fn subdivide(velocity: &[DVec3; 3], range: Range<f64>, mut emit: impl FnMut(Cut)) {
     let width = range.end - range.start;
     if width <= 0.0 {
         return;
@@ -209,8 +372,13 @@ pub(crate) fn subdivide(velocity: &[DVec3; 3], range: Range<f64>, mut emit: impl
     };
     let whole = Hodograph::over(velocity, range.start, width);
     let slow = SLOW * width * size;
-    let cuts = whole
-        .slowest()
+    // All velocities are means of three: where none of these has too little along the middle
+    // one, there is no need to look where the speed is least.
+    let fast = |vector: &DVec3| vector.dot(velocity[1]) > SLOW * size * velocity[1].length();
+    let slowest = (!velocity.iter().all(fast)).then(|| whole.slowest());
+    let cuts = slowest
+        .into_iter()
+        .flatten()
         .filter(|x| whole.velocity(*x).length() < slow)
         .map(|x| range.start + x * width);
     let mut start = range.start;
@@ -230,7 +398,7 @@ struct Cutter<'a, Emit> {
     emit: &'a mut Emit,
 }
 
-impl<Emit: FnMut(Span)> Cutter<'_, Emit> {
+impl<Emit: FnMut(Cut)> Cutter<'_, Emit> {
     fn cut(&mut self, start: f64, width: f64, length: f64, halvings: u32) {
         let hodograph = Hodograph::over(self.velocity, start, width);
         let half = 0.5 * width;
@@ -244,7 +412,11 @@ impl<Emit: FnMut(Span)> Cutter<'_, Emit> {
             // A span shorter than its error may be as steep as it likes.
             && (STEEP * ends >= length || length <= self.error);
         if good || halvings == 0 {
-            (self.emit)(Span::new(start, width, &hodograph, length));
+            (self.emit)(Cut {
+                u_start: start,
+                width,
+                length,
+            });
         } else {
             self.cut(start, half, left, halvings - 1);
             self.cut(start + half, half, right, halvings - 1);

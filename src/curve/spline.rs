@@ -282,6 +282,11 @@ impl Spline {
         self.arc_length.distance_at(&self.pieces, piece, u)
     }
 
+    /// The distance at which a piece begins.
+    pub(crate) fn joint(&self, piece: usize) -> f64 {
+        self.arc_length.joint(piece)
+    }
+
     /// The point at `distance`, in metres.
     #[must_use]
     pub fn position_at(&self, distance: f64) -> DVec3 {

@@ -75,6 +75,11 @@ impl FrameMotion {
         frame
     }
 
+    /// Length of the frame in seconds.
+    pub(crate) fn seconds(&self) -> f64 {
+        self.duration
+    }
+
     /// Whether it neither sets out nor stops meanwhile, nor turns round.
     pub(crate) fn is_even(&self) -> bool {
         self.deviation <= 0.0
@@ -102,11 +107,11 @@ impl FrameMotion {
     /// Where the body is at `fraction`.
     pub(crate) fn position_at(&self, motion: &Motion, fraction: f64) -> DVec3 {
         match motion.kind() {
+            _ if fraction <= 0.0 => self.start,
             Kind::Along(journey) if self.curved => {
                 let waypoint = self.waypoint(journey, fraction);
                 journey.path.position_at(waypoint.distance)
             }
-            _ if fraction <= 0.0 => self.start,
             _ => self.start + self.displacement_between(motion, 0.0, fraction),
         }
     }
@@ -114,7 +119,23 @@ impl FrameMotion {
     /// Where a body is at `fraction`, and how it is turned, that was turned by
     /// `orientation` as its motion began.
     pub(crate) fn pose_at(&self, motion: &Motion, orientation: DQuat, fraction: f64) -> Pose {
-        let position = self.position_at(motion, fraction);
+        self.turned_at(
+            motion,
+            orientation,
+            fraction,
+            self.position_at(motion, fraction),
+        )
+    }
+
+    /// The pose of a body that its motion has carried to `position` at `fraction`.
+    #[inline]
+    pub(crate) fn turned_at(
+        &self,
+        motion: &Motion,
+        orientation: DQuat,
+        fraction: f64,
+        position: DVec3,
+    ) -> Pose {
         let turned = match (motion.turning(), motion.kind()) {
             (Turning::Spin(spin), _) => {
                 let angle = spin.rate() * (fraction * self.duration);
@@ -154,6 +175,9 @@ impl FrameMotion {
             }
             Kind::Along(journey) => {
                 let position = |fraction: f64| {
+                    if fraction <= 0.0 {
+                        return self.start;
+                    }
                     let waypoint = self.waypoint(journey, fraction);
                     journey.path.position_at(waypoint.distance)
                 };

@@ -370,7 +370,9 @@ impl Motion {
             Turning::Facing(_) => Pose::new(position, turned),
             Turning::Spin(spin) => {
                 let now = (turned * orientation).normalize();
-                // Nothing at all if the point is the origin.
+                if spin.point() == DVec3::ZERO {
+                    return Pose::new(position, now);
+                }
                 let shift = orientation * spin.point() - now * spin.point();
                 Pose::new(position + shift, now)
             }

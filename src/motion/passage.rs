@@ -71,16 +71,8 @@ impl FrameMotion {
             Course::Straight(velocity) => return straight(*velocity),
             Course::Curve(curve) => curve,
         };
-        let [first, last] = curve.u;
-        let forward = last >= first;
-        let length = stretch.to - stretch.from;
-        let u_at = |fraction: f64| {
-            if fraction >= stretch.to {
-                last
-            } else {
-                curve.u_at(motion, (fraction - stretch.from) / length)
-            }
-        };
+        let forward = curve.is_forward();
+        let u_at = |fraction: f64| curve.u_at(stretch.share_at(fraction));
         let speed = self.highest_speed(motion);
         let start = u_at(from);
         let mut end = to;

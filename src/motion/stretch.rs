@@ -1,6 +1,6 @@
 //! Parts of a frame on which a body moves as one formula says.
 
-use crate::curve::CubicBezier;
+use crate::curve::{CubicBezier, Spline};
 use crate::motion::kind::Kind;
 use crate::motion::{FrameMotion, Motion};
 use glam::DVec3;
@@ -27,6 +27,7 @@ pub(crate) enum Course<'a> {
 /// A stretch on one piece of a spline, run at constant speed.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Curve<'a> {
+    spline: &'a Spline,
     pub(crate) piece: &'a CubicBezier,
     index: usize,
     /// Parameters of the piece at the stretch's start and end; falling on the way back.
@@ -75,7 +76,7 @@ impl FrameMotion {
         }
         // Or to the joint before that.
         let u_joint = if forward { 1.0 } else { 0.0 };
-        let joint = spline.distance_at(index, u_joint);
+        let joint = spline.joint(index + usize::from(forward));
         let (end, u_end) = if sense * (joint - end) <= 0.0 {
             (joint, u_joint)
         } else {
@@ -92,6 +93,7 @@ impl FrameMotion {
         until(
             to,
             Course::Curve(Curve {
+                spline,
                 piece: &spline.pieces()[index],
                 index,
                 u: [u, u_end],
@@ -101,15 +103,29 @@ impl FrameMotion {
     }
 }
 
+impl Stretch<'_> {
+    /// The share of its time that has passed at a fraction of the frame.
+    pub(crate) fn share_at(&self, fraction: f64) -> f64 {
+        if fraction >= self.to {
+            1.0
+        } else {
+            (fraction - self.from) / (self.to - self.from)
+        }
+    }
+}
+
 impl Curve<'_> {
     /// The parameter of the piece when a share of the stretch's time has passed.
-    pub(crate) fn u_at(&self, motion: &Motion, share: f64) -> f64 {
-        let Some(spline) = motion.path().and_then(|path| path.as_spline()) else {
-            return self.u[0];
-        };
-        let [start, end] = self.distances;
-        let (piece, u) = spline.locate(start + share * (end - start));
+    pub(crate) fn u_at(&self, share: f64) -> f64 {
         let [first, last] = self.u;
+        if share <= 0.0 {
+            return first;
+        }
+        if share >= 1.0 {
+            return last;
+        }
+        let [start, end] = self.distances;
+        let (piece, u) = self.spline.locate(start + share * (end - start));
         if piece == self.index {
             u.clamp(first.min(last), first.max(last))
         } else if (piece > self.index) == (last >= first) {
@@ -117,5 +133,25 @@ impl Curve<'_> {
         } else {
             first
         }
+    }
+
+    /// The share of the stretch's time that has passed when the piece's parameter is `u`.
+    pub(crate) fn share_at(&self, u: f64) -> f64 {
+        let [first, last] = self.u;
+        let [start, end] = self.distances;
+        if (u - last).abs() <= 0.0 {
+            return 1.0;
+        }
+        if (u - first).abs() <= 0.0 {
+            return 0.0;
+        }
+        let share = (self.spline.distance_at(self.index, u) - start) / (end - start);
+        // NaN, of a stretch without length, counts as its start.
+        if share > 0.0 { share.min(1.0) } else { 0.0 }
+    }
+
+    /// Whether it is passed in the sense of its parameter.
+    pub(crate) fn is_forward(&self) -> bool {
+        self.u[1] >= self.u[0]
     }
 }

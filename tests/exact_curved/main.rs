@@ -8,5 +8,6 @@
 )]
 
 mod named;
+mod routes;
 mod seams;
 mod sliding;

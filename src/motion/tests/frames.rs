@@ -64,7 +64,7 @@ fn stretches_follow_one_another_and_tell_where_the_body_is() {
                     }
                     Course::Curve(curve) => {
                         curves += 1;
-                        let u = curve.u_at(&motion, share);
+                        let u = curve.u_at(share);
                         curve.piece.point(u)
                     }
                 };

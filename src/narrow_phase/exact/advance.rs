@@ -1,12 +1,15 @@
 //! The first touch of two bodies on curves and in rotation.
 
 use super::Touching;
-use super::flight::{Flight, Instant};
-use super::meeting::{Meeting, meet};
-use super::turning::of_features;
+use super::flight::Flight;
+use super::gliding::{Glide, glide};
+use super::meeting::{Meeting, meet, strike};
+use super::parting::Parted;
+use super::planes::{Nearest, Place, Planes, TurningBall, TurningBoxes};
 use super::window::{Parabola, Plane, Side, Window};
+use crate::geometry::Shape;
 use crate::motion::{Bend, Stretch, TurningRate};
-use crate::narrow_phase::distance::{Separator, closest_points};
+use crate::narrow_phase::distance::closest_points;
 use crate::narrow_phase::overlap::overlap;
 use glam::DVec3;
 
@@ -33,6 +36,9 @@ pub(crate) enum Encounter {
 /// An ordinary query takes 5 to 15, a graze up to a hundred: two bodies that slide or run side by side
 /// on curves for long are given up after them.
 const STEPS: u32 = 400;
+
+/// Steps for what is told quickly as a rule, before the search goes on that decides all.
+const QUICK_STEPS: u32 = 60;
 
 /// So many more for each stretch of a path and each radian turned.
 const STEPS_PER_STRETCH: u32 = 32;
@@ -74,33 +80,81 @@ pub(crate) fn encounter(
     touch: f64,
     steps: &mut usize,
 ) -> Encounter {
-    let start = (a.at(0.0), b.at(0.0));
+    if passes_by(a, b, touch) {
+        *steps += 1;
+        return Encounter::Apart;
+    }
+    let quick = if a.glides() && b.glides() {
+        glide((a, b), touch, steps)
+    } else {
+        match (a.shape, b.shape) {
+            (Shape::Cuboid(of_a), Shape::Cuboid(of_b)) => {
+                search((a, b), TurningBoxes::new(of_a, of_b), touch, 0.0, steps)
+            }
+            (Shape::Sphere(ball), Shape::Cuboid(cuboid)) => {
+                let planes = TurningBall::new(ball, cuboid, Place::First);
+                search((a, b), planes, touch, 0.0, steps)
+            }
+            (Shape::Cuboid(cuboid), Shape::Sphere(ball)) => {
+                let planes = TurningBall::new(ball, cuboid, Place::Second);
+                search((a, b), planes, touch, 0.0, steps)
+            }
+            _ => Glide::Left(0.0),
+        }
+    };
+    let time = match quick {
+        Glide::Found(found) => return found,
+        Glide::Left(time) => time,
+    };
+    match search((a, b), Nearest::new(a, b, time), touch, time, steps) {
+        Glide::Found(found) => found,
+        Glide::Left(clear_until) => Encounter::Undecided { clear_until },
+    }
+}
+
+/// Whether the spheres around both hubs pass each other by: what each strays from its chord is known.
+fn passes_by(a: &Flight<'_>, b: &Flight<'_>, touch: f64) -> bool {
+    let start = (a.frame.start - b.frame.start) + (a.hub_shift() - b.hub_shift());
+    let way = a.frame.displacement - b.frame.displacement;
+    let share = (-start.dot(way) / way.length_squared()).clamp(0.0, 1.0);
+    // NaN, of no way at all.
+    let nearest = if share > 0.0 {
+        start + share * way
+    } else {
+        start
+    };
+    let reach = (a.reach + b.reach) * (1.0 + 1e-12) + a.frame.deviation + b.frame.deviation;
+    nearest.length() > reach + touch
+}
+
+/// The general search from `time` on, until which they are proven apart.
+#[inline(never)]
+fn search<P: Planes>(
+    (a, b): (&Flight<'_>, &Flight<'_>),
+    planes: P,
+    touch: f64,
+    time: f64,
+    steps: &mut usize,
+) -> Glide {
     let mut search = Search {
         a,
         b,
-        separator: Separator::new(
-            a.shape,
-            start.0.pose.orientation,
-            b.shape,
-            start.1.pose.orientation,
-        ),
+        planes,
         stretches: [
-            a.frame.stretch_at(a.motion, 0.0),
-            b.frame.stretch_at(b.motion, 0.0),
+            a.frame.stretch_at(a.motion, time),
+            b.frame.stretch_at(b.motion, time),
         ],
         touch,
-        time: 0.0,
+        time,
         longest: 1.0,
-        allowance: STEPS,
+        allowance: if P::DECIDES { STEPS } else { QUICK_STEPS },
         sliding: false,
     };
     let mut used = 0;
     let found = loop {
         used += 1;
         if used > search.allowance.min(MOST_STEPS) {
-            break Encounter::Undecided {
-                clear_until: search.time,
-            };
+            break Glide::Left(search.time);
         }
         if let Some(found) = search.step() {
             break found;
@@ -110,10 +164,10 @@ pub(crate) fn encounter(
     found
 }
 
-struct Search<'f, 'a> {
+struct Search<'f, 'a, P> {
     a: &'f Flight<'a>,
     b: &'f Flight<'a>,
-    separator: Separator<'a>,
+    planes: P,
     stretches: [Stretch<'a>; 2],
     /// Metres below which bodies touch.
     touch: f64,
@@ -126,13 +180,13 @@ struct Search<'f, 'a> {
     sliding: bool,
 }
 
-impl<'a> Search<'_, 'a> {
+impl<'a, P: Planes> Search<'_, 'a, P> {
     fn reach(&self) -> f64 {
         self.a.reach + self.b.reach
     }
 
     /// One plane further; what was found, if that is the end.
-    fn step(&mut self) -> Option<Encounter> {
+    fn step(&mut self) -> Option<Glide> {
         for (stretch, flight) in self.stretches.iter_mut().zip([self.a, self.b]) {
             if self.time >= stretch.to && stretch.to < 1.0 {
                 *stretch = flight.frame.stretch_at(flight.motion, self.time);
@@ -142,33 +196,67 @@ impl<'a> Search<'_, 'a> {
                 self.allowance = self.allowance.saturating_add(STEPS_PER_STRETCH);
             }
         }
-        let (a, b) = (self.a.at(self.time), self.b.at(self.time));
-        let between = a.pose.position - b.pose.position;
-        let offset = between + (a.hub_offset() - b.hub_offset());
+        let (at_a, at_b) = (self.a.carried_at(self.time), self.b.carried_at(self.time));
+        let offset = (at_a - at_b) + (self.a.hub_shift() - self.b.hub_shift());
         let distance = offset.length();
         let room = distance - self.reach();
         if room > FAR * self.reach() && self.time < 1.0 {
             self.approach(offset, distance, room);
             return None;
         }
-        if self.a.turns() || self.b.turns() {
-            self.separator.turn(a.pose.orientation, b.pose.orientation);
+        let a = self.a.at(self.time, at_a);
+        let b = self.b.at(self.time, at_b);
+        let between = a.pose.position - b.pose.position;
+        let offset = between + (a.hub_offset() - b.hub_offset());
+        // What is kept from before is of bodies that do not turn, and even of these only if it was
+        // told once.
+        if !P::DECIDES || self.a.turns() || self.b.turns() {
+            self.planes.turn(&a, &b);
         }
-        let found = self.separator.separation(between, 1e-9);
-        let window = self.window(a, b, offset);
-        match found {
-            Some(separation) if separation.distance > self.touch => {
-                if self.time >= 1.0 {
-                    return Some(Encounter::Apart);
-                }
-                self.sliding = false;
-                self.advance(&window, separation.normal, separation.distance);
-                None
+        let found = self.planes.part(between);
+        let (passages, spins, turning) = self.rates();
+        let window = Window {
+            a: Side {
+                instant: &a,
+                spin: spins[0],
+                arm: self.a.arm,
+            },
+            b: Side {
+                instant: &b,
+                spin: spins[1],
+                arm: self.b.arm,
+            },
+            offset,
+            velocity: passages.velocity,
+            bends: [&passages.bends[0], &passages.bends[1]],
+            stray: passages.stray,
+            turning,
+            radii: self.a.radius + self.b.radius,
+            length: passages.length,
+            to: passages.to,
+        };
+        let far = |parted: &Parted| parted.distance > self.touch;
+        if let Some(parted) = found.filter(far) {
+            if self.time >= 1.0 {
+                return Some(Glide::Found(Encounter::Apart));
             }
-            found => {
-                let normal = found.map(|separation| separation.normal);
-                self.in_touch(&window, normal)
-            }
+            self.sliding = false;
+            return self.advance(&window, parted.normal, parted.distance);
+        }
+        if P::DECIDES {
+            let normal = found.map(|parted| parted.normal);
+            self.in_touch(&window, normal).map(Glide::Found)
+        } else {
+            let struck = found.and_then(|parted| {
+                let flights = (self.a, self.b);
+                strike(flights, &window, parted.normal, self.time)
+            });
+            Some(struck.map_or(Glide::Left(self.time), |touching| {
+                Glide::Found(Encounter::Touch {
+                    touching,
+                    clear_until: self.time,
+                })
+            }))
         }
     }
 
@@ -205,8 +293,12 @@ impl<'a> Search<'_, 'a> {
     /// How both hubs go on for `length` at most.
     fn passages(&self, length: f64) -> Passages {
         let to = (self.time + length).min(1.0);
-        let [of_a, of_b] = [(self.a, &self.stretches[0]), (self.b, &self.stretches[1])]
-            .map(|(flight, stretch)| flight.frame.passage(flight.motion, stretch, self.time, to));
+        // One by one: arrays of what is large are copied about.
+        let of = |flight: &Flight<'_>, stretch: &Stretch<'_>| {
+            flight.frame.passage(flight.motion, stretch, self.time, to)
+        };
+        let of_a = of(self.a, &self.stretches[0]);
+        let of_b = of(self.b, &self.stretches[1]);
         Passages {
             velocity: of_a.velocity - of_b.velocity,
             bends: [of_a.bend, of_b.bend],
@@ -216,53 +308,41 @@ impl<'a> Search<'_, 'a> {
         }
     }
 
-    fn window(&self, a: Instant<'a>, b: Instant<'a>, offset: DVec3) -> Window<'a> {
+    /// How both hubs go on, angular velocities, and what else turning may do at most.
+    fn rates(&self) -> (Passages, [DVec3; 2], f64) {
         let mut longest = self.longest;
         loop {
             let passages = self.passages(longest);
             let mut turning = 0.0;
-            let [of_a, of_b] = [(self.a, a), (self.b, b)].map(|(flight, instant)| {
-                let mut spin = DVec3::ZERO;
+            let mut spins = [DVec3::ZERO; 2];
+            for (spin, flight) in spins.iter_mut().zip([self.a, self.b]) {
                 if flight.turns() {
                     let rate = flight
                         .frame
                         .turning_rate(flight.motion, self.time, passages.to);
                     match rate {
-                        TurningRate::Spin(rate) => spin = rate,
+                        TurningRate::Spin(rate) => *spin = rate,
                         TurningRate::AtMost(rate) => turning += rate * flight.arm,
                     }
                 }
-                Side {
-                    instant,
-                    spin,
-                    arm: flight.arm,
-                }
-            });
+            }
             // Before a cusp, or where a body that faces its way goes straight up, only short windows
             // say how fast it turns.
             if turning.is_infinite() && passages.length > FLIP {
                 longest = 0.25 * passages.length;
                 continue;
             }
-            return Window {
-                a: of_a,
-                b: of_b,
-                offset,
-                velocity: passages.velocity,
-                bends: passages.bends,
-                stray: passages.stray,
-                turning,
-                radii: self.a.radius + self.b.radius,
-                length: passages.length,
-                to: passages.to,
-            };
+            return (passages, spins, turning);
         }
     }
 
     /// As far as planes across `normal` part the bodies, which are `distance` apart.
-    fn advance(&mut self, window: &Window<'_>, normal: DVec3, distance: f64) {
+    fn advance(&mut self, window: &Window<'_, '_>, normal: DVec3, distance: f64) -> Option<Glide> {
         let floor = 0.5 * self.touch;
         let mut by = self.plane_advance(window, normal, floor);
+        if by <= 0.0 && !P::DECIDES {
+            return Some(Glide::Left(self.time));
+        }
         if by <= 0.0 {
             // The plane does not say what the distance does; that of the features may.
             let (a, b) = (&window.a.instant.pose, &window.b.instant.pose);
@@ -276,7 +356,7 @@ impl<'a> Search<'_, 'a> {
         }
         if by <= 0.0 {
             // Nobody is faster than this.
-            let turning = |side: &Side<'_>| side.arm * side.spin.length();
+            let turning = |side: &Side<'_, '_>| side.arm * side.spin.length();
             let speed = self.a.speed
                 + self.b.speed
                 + window.turning
@@ -289,41 +369,46 @@ impl<'a> Search<'_, 'a> {
         } else {
             (2.0 * self.longest).min(1.0)
         };
-        let turned = |side: &Side<'_>| side.spin.length() * by;
+        let turned = |side: &Side<'_, '_>| side.spin.length() * by;
         let radians = turned(&window.a) + turned(&window.b);
         // Of long windows more than anyone can use; the cast saturates.
         self.allowance = self
             .allowance
             .saturating_add((radians * f64::from(STEPS_PER_STRETCH)) as u32);
         self.go_on(by, (window.length, window.to));
+        None
     }
 
     /// The longest advance of several planes across one normal that turn in different ways.
-    fn plane_advance(&self, window: &Window<'_>, normal: DVec3, floor: f64) -> f64 {
+    fn plane_advance(&self, window: &Window<'_, '_>, normal: DVec3, floor: f64) -> f64 {
         let still = Plane {
             normal,
             turn: DVec3::ZERO,
         };
         let turning = window.a.spin.length() + window.b.spin.length();
-        let turns = turning + window.turning > 0.0;
-        let mut best = window.clear_for(&still, floor);
-        if turns && best < window.length {
-            best = best.max(self.turned_all_round(window, normal, floor));
+        if turning + window.turning <= 0.0 {
+            return window.clear_for(&still, floor, window.length);
         }
-        if turning > 0.0 && best < window.length {
-            let turn = of_features(window, self.separator.nearest_vertices(), normal);
+        let mut best = 0.0;
+        if turning > 0.0 {
+            let turn = self.planes.turning(window, normal);
             // Over a longer time bounds of higher order weigh too much.
             let length = window.length.min(0.5 / turning.max(turn.length()));
-            let short = Window { length, ..*window };
-            if best < length {
-                best = best.max(short.clear_for(&Plane { normal, turn }, floor));
+            best = window.clear_for(&Plane { normal, turn }, floor, length);
+            // As a rule that is the longest but where it ends with the window.
+            if best > 0.0 && best < length {
+                return best;
             }
+        }
+        best = best.max(window.clear_for(&still, floor, window.length));
+        if best < window.length {
+            best = best.max(self.turned_all_round(window, normal, floor));
         }
         best
     }
 
     /// How long a plane parts the solids of revolution that spinning bodies fill.
-    fn turned_all_round(&self, window: &Window<'_>, normal: DVec3, floor: f64) -> f64 {
+    fn turned_all_round(&self, window: &Window<'_, '_>, normal: DVec3, floor: f64) -> f64 {
         let heights = self.a.lowest_ever(normal) + self.b.lowest_ever(-normal);
         let parabola = Parabola {
             start: normal.dot(window.offset) + heights - window.radii - floor,
@@ -338,7 +423,7 @@ impl<'a> Search<'_, 'a> {
     }
 
     /// What bodies in touch do: at the frame's start they may part or slide, later they have met.
-    fn in_touch(&mut self, window: &Window<'_>, normal: Option<DVec3>) -> Option<Encounter> {
+    fn in_touch(&mut self, window: &Window<'_, '_>, normal: Option<DVec3>) -> Option<Encounter> {
         let met = meet((self.a, self.b), window, normal, self.time, self.touch);
         let Meeting {
             touching,
@@ -354,7 +439,7 @@ impl<'a> Search<'_, 'a> {
         let (pose_a, pose_b) = (&window.a.instant.pose, &window.b.instant.pose);
         let deep = || overlap(self.a.shape, pose_a, self.b.shape, pose_b).is_some();
         // Of bodies that go the same way the difference of their velocities is rounding.
-        let turning = |side: &Side<'_>| side.arm * side.spin.length();
+        let turning = |side: &Side<'_, '_>| side.arm * side.spin.length();
         let own = self.a.speed + self.b.speed + turning(&window.a) + turning(&window.b);
         if closing > SLIDE * speed + ALIKE * own || self.sliding && deep() {
             return Some(if self.time > 0.0 {
@@ -372,7 +457,7 @@ impl<'a> Search<'_, 'a> {
         self.sliding = true;
         // Such a step takes three times as long as others.
         self.allowance = self.allowance.saturating_sub(2);
-        let turn = of_features(window, self.separator.nearest_vertices(), touching.normal);
+        let turn = self.planes.turning(window, touching.normal);
         let plane = Plane {
             normal: touching.normal,
             turn,

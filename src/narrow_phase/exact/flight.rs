@@ -17,6 +17,8 @@ pub(crate) struct Flight<'a> {
     orientation: DQuat,
     /// The hub in the body's own frame.
     hub: DVec3,
+    /// The same along the world's axes, as the motion begins.
+    hub_shift: DVec3,
     /// No vertex of the core is farther from the hub, in metres; of a spin, from its axis.
     pub(super) arm: f64,
     /// The core lies between these heights above the hub along a spin's axis.
@@ -50,6 +52,7 @@ impl<'a> Flight<'a> {
             frame,
             orientation,
             hub: centre,
+            hub_shift: DVec3::ZERO,
             arm: size - radius,
             extent: [radius - size, size - radius],
             radius,
@@ -68,19 +71,36 @@ impl<'a> Flight<'a> {
                 let axis = orientation.conjugate() * spin.axis();
                 flight.hub = spin.point() + (centre - spin.point()).dot(axis) * axis;
                 let (mut arm, mut low, mut high) = (0.0_f64, 0.0_f64, 0.0_f64);
-                flight.each_vertex(|vertex| {
-                    let offset = vertex - flight.hub;
-                    let height = offset.dot(axis);
-                    arm = arm.max((offset - height * axis).length());
-                    (low, high) = (low.min(height), high.max(height));
-                });
+                if let Shape::Cuboid(cuboid) = shape
+                    && flight.hub == DVec3::ZERO
+                {
+                    // Four corners and their opposites.
+                    let half = cuboid.half_extents();
+                    let along = half * axis;
+                    let [x, y, z] = along.to_array();
+                    let least = (x + y + z).abs().min((x + y - z).abs());
+                    let least = least.min((x - y + z).abs()).min((y + z - x).abs());
+                    let square = half.length_squared();
+                    // What rounding takes off a bar about its long axis is put on.
+                    arm = (square - least * least).max(0.0) + 16.0 * f64::EPSILON * square;
+                    high = along.abs().element_sum();
+                    low = -high;
+                } else {
+                    flight.each_vertex(|vertex| {
+                        let offset = vertex - flight.hub;
+                        let height = offset.dot(axis);
+                        arm = arm.max((offset - height * axis).length_squared());
+                        (low, high) = (low.min(height), high.max(height));
+                    });
+                }
                 let rounding = grown(0.0) + 16.0 * f64::EPSILON * (size + flight.hub.length());
-                flight.arm = arm + rounding;
+                flight.arm = arm.sqrt() + rounding;
                 flight.extent = [low - rounding, high + rounding];
                 let distance = (centre - flight.hub).length();
                 flight.reach = grown(size + distance) + rounding;
             }
         }
+        flight.hub_shift = orientation * flight.hub;
         flight
     }
 
@@ -93,9 +113,37 @@ impl<'a> Flight<'a> {
         }
     }
 
-    /// Where the body is at a fraction of the frame.
-    pub(super) fn at(&self, fraction: f64) -> Instant<'a> {
-        let pose = self.frame.pose_at(self.motion, self.orientation, fraction);
+    /// Where the body is at a fraction of the frame, and how it is turned.
+    pub(super) fn pose_at(&self, fraction: f64) -> Pose {
+        self.frame.pose_at(self.motion, self.orientation, fraction)
+    }
+
+    /// Where its motion has carried it at a fraction of the frame.
+    pub(super) fn carried_at(&self, fraction: f64) -> DVec3 {
+        self.frame.position_at(self.motion, fraction)
+    }
+
+    /// From the carried point to the hub, which no spin moves: it lies beside the point along the
+    /// axis.
+    pub(super) fn hub_shift(&self) -> DVec3 {
+        self.hub_shift
+    }
+
+    /// Whether it moves as its carried point does: it does not turn, or is a ball about that point.
+    pub(super) fn glides(&self) -> bool {
+        match (self.motion.turning(), self.shape) {
+            (Turning::Not, _) | (Turning::Facing(_), Shape::Sphere(_)) => true,
+            (Turning::Spin(spin), Shape::Sphere(_)) => spin.point() == DVec3::ZERO,
+            _ => false,
+        }
+    }
+
+    /// Where the body is at a fraction of the frame, when its motion has carried it to `carried`.
+    #[inline]
+    pub(super) fn at(&self, fraction: f64, carried: DVec3) -> Instant<'a> {
+        let pose = self
+            .frame
+            .turned_at(self.motion, self.orientation, fraction, carried);
         Instant {
             shape: self.shape,
             hub: self.hub,
@@ -109,7 +157,7 @@ impl<'a> Flight<'a> {
     pub(super) fn point_velocity(&self, point: DVec3, fraction: f64) -> DVec3 {
         /// Half of the digits.
         const SHARE: f64 = 1e-7;
-        let pose = |fraction: f64| self.frame.pose_at(self.motion, self.orientation, fraction);
+        let pose = |fraction: f64| self.pose_at(fraction);
         let now = pose(fraction);
         let (other, share) = if fraction + SHARE <= 1.0 {
             (pose(fraction + SHARE), SHARE)
@@ -147,11 +195,11 @@ impl<'a> Flight<'a> {
 pub(super) struct Instant<'a> {
     shape: &'a Shape,
     hub: DVec3,
-    rotation: DMat3,
+    pub(super) rotation: DMat3,
     pub(super) pose: Pose,
 }
 
-impl Instant<'_> {
+impl<'a> Instant<'a> {
     /// From the body's position to its hub, along the world's axes.
     pub(super) fn hub_offset(&self) -> DVec3 {
         self.rotation * self.hub
@@ -171,6 +219,21 @@ impl Instant<'_> {
             }
             Shape::Triangle(triangle) => triangle.vertices()[index as usize % 3],
             Shape::Polytope(polytope) => polytope.vertices()[index as usize],
+        }
+    }
+
+    /// The core's least heights across a plane that turns.
+    pub(super) fn heights(&self, normal: DVec3, turn: DVec3) -> Heights<'_, 'a> {
+        let Shape::Cuboid(cuboid) = self.shape else {
+            return Heights::Other(self, normal, turn);
+        };
+        let to_body = self.rotation.transpose();
+        let (normal, turn) = (to_body * normal, to_body * turn);
+        let half = cuboid.half_extents();
+        Heights::Cuboid {
+            normals: half * normal,
+            turns: half * turn,
+            middle: (-normal.dot(self.hub), -turn.dot(self.hub)),
         }
     }
 
@@ -205,5 +268,45 @@ impl Instant<'_> {
             }
         };
         self.rotation * offset
+    }
+}
+
+/// What is asked again and again of a core beside a plane that turns.
+pub(super) enum Heights<'i, 'a> {
+    /// Of a box, along its own axes: the half-extents across the plane, how these change as it turns,
+    /// and both of the middle.
+    Cuboid {
+        normals: DVec3,
+        turns: DVec3,
+        middle: (f64, f64),
+    },
+    Other(&'i Instant<'a>, DVec3, DVec3),
+}
+
+impl Heights<'_, '_> {
+    /// Of the vertex that lies lowest across `normal + time · turn`: its heights along `normal` and
+    /// along `turn`.
+    #[inline]
+    pub(super) fn lowest(&self, time: f64) -> (f64, f64) {
+        match self {
+            Self::Cuboid {
+                normals,
+                turns,
+                middle,
+            } => {
+                let along = *normals + time * *turns;
+                let (mut height, mut change) = *middle;
+                for axis in 0..3 {
+                    let side = if along[axis] > 0.0 { -1.0 } else { 1.0 };
+                    height += side * normals[axis];
+                    change += side * turns[axis];
+                }
+                (height, change)
+            }
+            Self::Other(instant, normal, turn) => {
+                let vertex = instant.lowest(*normal + time * *turn);
+                (normal.dot(vertex), turn.dot(vertex))
+            }
+        }
     }
 }

@@ -30,7 +30,7 @@ const BESIDE: f64 = 1e-11;
 /// the velocity of the point of touch gives time, point, normal and features.
 pub(super) fn meet(
     (a, b): (&Flight<'_>, &Flight<'_>),
-    window: &Window<'_>,
+    window: &Window<'_, '_>,
     normal: Option<DVec3>,
     time: f64,
     touch: f64,
@@ -46,7 +46,7 @@ pub(super) fn meet(
                 near.then_some((found, 0.0))
             };
             let guess = normal.unwrap_or(window.offset.normalize_or(DVec3::X));
-            straight(velocity_at(a, b, window, DVec3::ZERO, time))
+            straight(velocity_at((a, b), window, DVec3::ZERO, time))
                 .or_else(|| straight(-reach * guess))
         })
         .unwrap_or((
@@ -58,7 +58,7 @@ pub(super) fn meet(
             },
             0.0,
         ));
-    let velocity = velocity_at(a, b, window, touching.point, time);
+    let velocity = velocity_at((a, b), window, touching.point, time);
     let speed = velocity.length();
     let mut later = gap / -touching.normal.dot(velocity);
     if let Some(found) = cast(shape_a, &pose_a, shape_b, &pose_b, velocity) {
@@ -76,10 +76,10 @@ pub(super) fn meet(
     }
     // Who turns or slides on meanwhile touches a little beside: once more from where they stand by
     // then. Far from the origin, where `touch` is wide, this matters.
-    let turning = |side: &Side<'_>| side.arm * side.spin.length();
+    let turning = |side: &Side<'_, '_>| side.arm * side.spin.length();
     let turning = turning(&window.a) + turning(&window.b) + window.turning;
     if later * (speed + turning) > BESIDE * reach {
-        let [by_a, by_b] = [a, b].map(|flight| flight.at((time + later).min(1.0)).pose);
+        let [by_a, by_b] = [a, b].map(|flight| flight.pose_at((time + later).min(1.0)));
         if let Some(found) = cast(shape_a, &by_a, shape_b, &by_b, velocity) {
             let near = found.fraction.abs() * speed <= NEAR * reach;
             if near && found.normal.dot(touching.normal) > 0.99 {
@@ -94,6 +94,39 @@ pub(super) fn meet(
         closing,
         speed,
     })
+}
+
+/// The touch of two bodies that are next to each other along `normal` at `time`, if they run into
+/// each other there; none where it takes [`meet`] to tell.
+///
+/// One exact cast across the gap gives point, normal and features.
+pub(super) fn strike(
+    (a, b): (&Flight<'_>, &Flight<'_>),
+    window: &Window<'_, '_>,
+    normal: DVec3,
+    time: f64,
+) -> Option<Touching> {
+    if time <= 0.0 {
+        return None;
+    }
+    let [pose_a, pose_b] = [window.a.instant.pose, window.b.instant.pose];
+    let between = Pose::new(pose_a.position - pose_b.position, pose_a.orientation);
+    let origin = Pose::new(DVec3::ZERO, pose_b.orientation);
+    let reach = a.reach + b.reach;
+    let mut touching = cast(a.shape, &between, b.shape, &origin, -reach * normal)?;
+    let alike = touching.normal.dot(normal);
+    let near = touching.fraction.abs() <= NEAR;
+    let velocity = velocity_at((a, b), window, touching.point, time);
+    let (closing, speed) = (-touching.normal.dot(velocity), velocity.length());
+    if !(near && alike > 0.99 && closing > NEAR * speed) {
+        return None;
+    }
+    let later = (touching.fraction * reach * alike / closing).max(0.0);
+    // Who turns or slides on by much meanwhile touches beside.
+    let turning = |side: &Side<'_, '_>| side.arm * side.spin.length();
+    let going = speed + turning(&window.a) + turning(&window.b) + window.turning;
+    touching.fraction = (time + later).min(1.0);
+    (later * going <= BESIDE * reach).then_some(touching)
 }
 
 /// The nearest points, or the deepest ones of bodies that overlap.
@@ -119,9 +152,8 @@ fn nearest(a: &Shape, pose_a: &Pose, b: &Shape, pose_b: &Pose) -> Option<(Touchi
 
 /// How fast A's point moves relative to B's that lies at `point` from B's position.
 fn velocity_at(
-    a: &Flight<'_>,
-    b: &Flight<'_>,
-    window: &Window<'_>,
+    (a, b): (&Flight<'_>, &Flight<'_>),
+    window: &Window<'_, '_>,
     point: DVec3,
     time: f64,
 ) -> DVec3 {

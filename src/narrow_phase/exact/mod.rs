@@ -8,6 +8,7 @@
 //! from the features that touch.
 
 mod advance;
+mod aligned;
 mod ball_approach;
 mod ball_ball;
 mod ball_capsule;
@@ -24,15 +25,20 @@ mod cast;
 mod contact_patch;
 mod corners;
 mod crossing;
+mod cubic;
 mod edges;
 mod extremes;
 mod faces;
 mod flat;
 mod flight;
+mod gait;
+mod gliding;
 mod meeting;
 mod normal_cone;
 mod pair;
+mod parting;
 mod patch;
+mod planes;
 mod portal;
 mod settle;
 mod slab;

@@ -1,6 +1,6 @@
 //! How long a plane parts two bodies for certain.
 
-use super::flight::Instant;
+use super::flight::{Heights, Instant};
 use crate::motion::Bend;
 use glam::DVec3;
 
@@ -16,8 +16,8 @@ pub(super) struct Plane {
 
 /// What is known of the motion of one body on a window.
 #[derive(Clone, Copy)]
-pub(super) struct Side<'a> {
-    pub(super) instant: Instant<'a>,
+pub(super) struct Side<'w, 'a> {
+    pub(super) instant: &'w Instant<'a>,
     /// Angular velocity, radians per frame.
     pub(super) spin: DVec3,
     /// No vertex of the core is farther from the axis, in metres.
@@ -35,15 +35,15 @@ pub(super) struct Side<'a> {
 /// interval, it is so in between, and its value at `σ` takes one support of each body, along
 /// `n + σ(m + n×ω)`, because `n·(ω×a) = a·(n×ω)`.
 #[derive(Clone, Copy)]
-pub(super) struct Window<'a> {
-    pub(super) a: Side<'a>,
-    pub(super) b: Side<'a>,
+pub(super) struct Window<'w, 'a> {
+    pub(super) a: Side<'w, 'a>,
+    pub(super) b: Side<'w, 'a>,
     /// From B's hub to A's.
     pub(super) offset: DVec3,
     /// Of A's hub relative to B's, metres per frame.
     pub(super) velocity: DVec3,
     /// What bends the hubs' courses.
-    pub(super) bends: [Bend; 2],
+    pub(super) bends: [&'w Bend; 2],
     /// What else the hubs may do, upper bound, metres per frame.
     pub(super) stray: f64,
     /// What turning other than a spin may do, upper bound, metres per frame.
@@ -82,26 +82,50 @@ impl Parabola {
     }
 }
 
-impl Window<'_> {
-    /// The least height above `floor` of a pair of vertices at `time` from now, and its parabola.
-    fn lowest(&self, plane: &Plane, time: f64, bend: f64, floor: f64) -> Parabola {
-        let Plane { normal, turn } = *plane;
-        let along = |spin: DVec3| normal + time * (turn + normal.cross(spin));
-        let a = self.a.instant.lowest(along(self.a.spin));
-        let b = self.b.instant.lowest(-along(self.b.spin));
-        let apart = self.offset + (a - b);
-        let velocity = self.velocity + (self.a.spin.cross(a) - self.b.spin.cross(b));
-        let stray = (self.stray + self.turning) * (1.0 + self.length * turn.length());
+/// A window seen across a plane.
+struct Outlook<'w, 'a> {
+    a: Heights<'w, 'a>,
+    b: Heights<'w, 'a>,
+    /// What is the same for all pairs of vertices: height, slope and bend.
+    base: Parabola,
+}
+
+impl Outlook<'_, '_> {
+    /// The lowest pair of vertices at `time` from now.
+    #[inline]
+    fn lowest(&self, time: f64) -> Parabola {
+        let ((a, rise_a), (b, rise_b)) = (self.a.lowest(time), self.b.lowest(time));
         Parabola {
-            start: normal.dot(apart) - self.radii - floor,
-            slope: turn.dot(apart) + normal.dot(velocity) - stray,
-            bend,
+            start: self.base.start + (a + b),
+            slope: self.base.slope + (rise_a + rise_b),
+            bend: self.base.bend,
+        }
+    }
+}
+
+impl<'a> Window<'_, 'a> {
+    /// Heights above `floor` across a plane, for `length` frames.
+    fn across(&self, plane: &Plane, floor: f64, length: f64) -> Outlook<'_, 'a> {
+        let Plane { normal, turn } = *plane;
+        let along = |side: &Side<'_, '_>| turn + normal.cross(side.spin);
+        let stray = match self.stray + self.turning {
+            stray if stray > 0.0 => stray * (1.0 + length * turn.length()),
+            _ => 0.0,
+        };
+        Outlook {
+            a: self.a.instant.heights(normal, along(&self.a)),
+            b: self.b.instant.heights(-normal, -along(&self.b)),
+            base: Parabola {
+                start: normal.dot(self.offset) - self.radii - floor,
+                slope: turn.dot(self.offset) + normal.dot(self.velocity) - stray,
+                bend: self.bend(plane, length),
+            },
         }
     }
 
     /// The least height of a pair of vertices now, and how it changes at least.
     pub(super) fn now(&self, plane: &Plane) -> Parabola {
-        self.lowest(plane, 0.0, self.bend(plane), 0.0)
+        self.across(plane, 0.0, self.length).lowest(0.0)
     }
 
     /// Upper bound of the hubs' acceleration's share along a vector, metres per frame and frame.
@@ -111,38 +135,40 @@ impl Window<'_> {
     }
 
     /// `M`.
-    fn bend(&self, plane: &Plane) -> f64 {
+    fn bend(&self, plane: &Plane, length: f64) -> f64 {
         let curved = |direction: DVec3| {
-            let turned = |side: &Side<'_>| {
-                side.arm * side.spin.length() * side.spin.cross(direction).length()
+            let turned = |side: &Side<'_, '_>| {
+                // One root instead of two.
+                let cross = side.spin.cross(direction).length_squared();
+                side.arm * (side.spin.length_squared() * cross).sqrt()
             };
             self.acceleration(direction) + turned(&self.a) + turned(&self.b)
         };
         let turn = plane.turn;
         let mut bend = curved(plane.normal);
         if turn != DVec3::ZERO {
-            let sway = |side: &Side<'_>| side.arm * side.spin.cross(turn).length();
+            let sway = |side: &Side<'_, '_>| side.arm * side.spin.cross(turn).length();
             let closing = (-turn.dot(self.velocity)).max(0.0) + sway(&self.a) + sway(&self.b);
             // A normal that turns grows, as √(1 + σ²m²) at most.
-            bend += self.length * curved(turn) + 2.0 * closing + self.radii * turn.length_squared();
+            bend += length * curved(turn) + 2.0 * closing + self.radii * turn.length_squared();
         }
         bend * (1.0 + 16.0 * f64::EPSILON)
     }
 
-    /// How long the plane parts the bodies by more than about `floor` for certain, up to the window's
-    /// length; 0 if it does not.
-    pub(super) fn clear_for(&self, plane: &Plane, floor: f64) -> f64 {
+    /// How long the plane parts the bodies by more than about `floor` for certain, up to `length`, which is
+    /// no more than the window's; 0 if it does not.
+    pub(super) fn clear_for(&self, plane: &Plane, floor: f64, length: f64) -> f64 {
         /// Each settles which vertices are lowest; two or three do as a rule.
         const ROUNDS: u32 = 6;
-        let bend = self.bend(plane);
-        let start = self.lowest(plane, 0.0, bend, floor).start;
+        let outlook = self.across(plane, floor, length);
+        let start = outlook.lowest(0.0).start;
         // Where a body may jump, slopes are infinite, and no plane says anything.
         if start.is_nan() || start <= 0.0 || self.turning.is_infinite() {
             return 0.0;
         }
-        let mut end = self.length;
+        let mut end = length;
         for _ in 0..ROUNDS {
-            let parabola = self.lowest(plane, end, bend, floor);
+            let parabola = outlook.lowest(end);
             let low = parabola.at(end);
             if low >= -0.25 * floor {
                 return end;
@@ -155,7 +181,7 @@ impl Window<'_> {
             }
             end = root;
         }
-        let low = self.lowest(plane, end, bend, floor).at(end);
+        let low = outlook.lowest(end).at(end);
         if low >= 0.0 {
             end
         } else {
@@ -170,10 +196,10 @@ impl Window<'_> {
     pub(super) fn parted_after(&self, plane: &Plane, floor: f64) -> Option<f64> {
         /// Each a quarter of the one before.
         const TRIES: u32 = 16;
-        let bend = self.bend(plane);
+        let outlook = self.across(plane, floor, self.length);
         let mut time = self.length;
         for _ in 0..TRIES {
-            if self.lowest(plane, time, bend, floor).at(time) >= floor {
+            if outlook.lowest(time).at(time) >= floor {
                 return Some(time);
             }
             time *= 0.25;
