@@ -63,7 +63,7 @@ mod tests {
             state = state
                 .wrapping_mul(6_364_136_223_846_793_005)
                 .wrapping_add(1);
-            state >> 11 ^ state << 53
+            (state >> 11) ^ (state << 53)
         };
         for (low, high) in [
             (10, 10),
@@ -75,7 +75,7 @@ mod tests {
             (12, 23),
         ] {
             for count in [0, 1, FEW - 1, FEW, 3000] {
-                let mask = (1_u64 << low) - 1 | ((1_u64 << high) - 1) << 32;
+                let mask = ((1_u64 << low) - 1) | (((1_u64 << high) - 1) << 32);
                 let mut items: Vec<u64> = (0..count).map(|_| next() & mask).collect();
                 let mut expected = items.clone();
                 expected.sort_unstable();

@@ -1,7 +1,8 @@
 //! Pairs handed out, and kept for as long as their boxes hold.
 
 use super::Bvh;
-use super::pairs::{Job, Listed, Order, Portion, across};
+use super::pairs::{Job, across};
+use super::portion::{Listed, Order, Portion};
 use super::tree::{Mobility, Tree};
 use crate::math::radix::sort_by_slots;
 

@@ -9,9 +9,10 @@ mod order;
 mod pairs;
 #[cfg(feature = "parallel")]
 mod parallel;
+mod portion;
 mod probe;
 mod tree;
 
 pub use forest::{Bvh, Leaf, LeafId};
 pub use moment::{Moment, View};
-pub use pairs::Portion;
+pub use portion::Portion;

@@ -2,7 +2,8 @@
 
 use super::Bvh;
 use super::lists::{List, PORTION};
-use super::pairs::{Job, Listed, Portion, across};
+use super::pairs::{Job, across};
+use super::portion::{Listed, Portion};
 use super::tree::Tree;
 use rayon::prelude::*;
 

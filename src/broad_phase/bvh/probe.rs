@@ -156,7 +156,7 @@ impl<T: Copy + Sync> View<'_, T> {
 
     /// All bodies whose boxes overlap `aabb`, in no particular order.
     ///
-    /// Boxes are those of the last [`update`](Self::update); bodies that wait are
+    /// Boxes are those of the last [`Bvh::update`](super::Bvh::update); bodies that wait are
     /// visited in any case.
     pub fn overlapping(&self, aabb: &Aabb, mut visit: impl FnMut(Leaf<'_, T>)) {
         let region = Region(Bounds::around(aabb, self.bvh.origin));
