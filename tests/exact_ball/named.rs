@@ -413,3 +413,27 @@ fn a_ball_that_slides_off_a_ball_in_touch_touches_at_once() {
     let found = ball_ball(1.0, 1.0, -from, motion).unwrap();
     assert!(found.enter.fraction.abs() < 1e-15, "{found:?}");
 }
+
+/// Above the rim of a face, beyond it by less than rounding tells: the touch was put on the edge
+/// opposite.
+#[test]
+fn a_ball_above_a_rim_that_hardly_moves() {
+    check(&Cast {
+        ball: ball(0.49645972933048305),
+        position: DVec3::new(
+            -0.6969527867056888,
+            -0.28692389918044026,
+            1.0786341986998649,
+        ),
+        shape: Cuboid::new([0.011913677596703287, 0.9116852091034853, 0.4523333931207119])
+            .unwrap()
+            .into(),
+        orientation: DQuat::from_xyzw(
+            0.21675639930783885,
+            0.20261860957015101,
+            0.20843230235245958,
+            -0.9319433125201405,
+        ),
+        motion: DVec3::new(4.440892098500626e-16, 0.0, 1.1102230246251565e-16),
+    });
+}

@@ -206,6 +206,33 @@ fn cubes_whose_faces_are_tilted_by_a_hair_share_the_point() {
     );
 }
 
+/// The same, of a large and a small one tilted by 4e-10: 1e-7 of the size.
+#[test]
+fn cubes_of_two_sizes_tilted_by_a_hair_share_the_point() {
+    let large = bodies::cuboid(DVec3::splat(0.0001115963443814841));
+    let small = bodies::cuboid(DVec3::splat(2.9512827017320293e-5));
+    let turns = [
+        DQuat::from_xyzw(
+            -1.872820711073029e-10,
+            3.600561706012553e-11,
+            -2.1268009039954576e-10,
+            1.0,
+        ),
+        DQuat::from_rotation_z(std::f64::consts::FRAC_PI_2),
+    ];
+    let between = v(
+        0.00017119727242478295,
+        6.7525383414278925e-6,
+        0.0001610205410208362,
+    );
+    let motion = v(
+        -7.193608873478861e-5,
+        0.00018010502336307537,
+        -0.0001887264639814356,
+    );
+    turned(&large, &small, turns, between, motion);
+}
+
 /// In its own plane: what is left of the difference's thickness is rounding.
 #[test]
 fn a_triangle_that_slides_onto_itself_in_its_plane() {

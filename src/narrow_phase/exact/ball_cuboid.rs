@@ -42,19 +42,22 @@ pub(super) fn of_cuboid(line: &Line, cuboid: &Cuboid, radius: f64) -> Option<Tou
     let away = mirror * enter.away;
     let point = line.origin + enter.fraction * line.direction;
     let inside = point.clamp(-half_extents, half_extents);
-    let corner = half_extents.copysign(away);
+    // Which side the point sticks out on by next to nothing, rounding may tell wrongly.
+    let plain = away.abs().cmpgt(DVec3::splat(slack));
+    let corner = half_extents.copysign(DVec3::select(plain, away, inside));
     let foot = DVec3::select(away.cmpeq(DVec3::ZERO), inside, corner);
     Some(Touch {
         fraction: enter.fraction,
         foot,
         normal: normal(away, radius),
-        feature: feature(away),
+        feature: feature(away, corner),
     })
 }
 
-/// The feature from which a point sticks out along the axes where `away` is not zero.
-fn feature(away: DVec3) -> Feature {
-    let [x, y, z] = away.to_array().map(|out| u32::from(out > 0.0));
+/// The feature from which a point sticks out along the axes where `away` is not zero, on the sides of
+/// `corner`.
+fn feature(away: DVec3, corner: DVec3) -> Feature {
+    let [x, y, z] = corner.to_array().map(|side| u32::from(side > 0.0));
     match away.to_array().map(|out| out != 0.0) {
         [true, true, true] => Feature::Vertex(x + 2 * y + 4 * z),
         [false, true, true] => Feature::Edge(y + 2 * z),

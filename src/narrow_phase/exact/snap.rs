@@ -17,7 +17,7 @@ use glam::{DVec2, DVec3};
 pub(super) const FEATURE: f64 = 1e-12;
 
 /// How many times as much where features seem not to meet, one after the other.
-const WIDE: [f64; 2] = [16.0, 256.0];
+const WIDE: [f64; 3] = [16.0, 256.0, 4096.0];
 
 /// Up to this many vertices are all looked at; of more, only those around the farthest.
 const FEW: usize = 24;
