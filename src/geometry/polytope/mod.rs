@@ -95,9 +95,9 @@ pub struct Polytope {
     max_dist: f64,
     /// The vertices in single precision, if there are few.
     lanes: Vec<Lanes>,
-    edge_map: EdgeMap,
-    normals: Vec<DVec3>,
     vertices: Vec<DVec3>,
+    normals: Vec<DVec3>,
+    edge_map: EdgeMap,
     support: Support,
     face_map: FaceMap,
     edges: Vec<Edge>,
