@@ -1,9 +1,9 @@
 //! One cast against the oracle.
 
-use crate::draw::Cast;
+use crate::draw::{Cast, Draw};
 use crate::oracle::{Flight, Surface, answer};
 use crate::twofold::dot;
-use feeler::narrow_phase::exact::{Crossing, ball_crossing, ball_touch};
+use feeler::narrow_phase::exact::{Crossing, Touching, ball_crossing, ball_touch};
 use feeler::{Feature, Shape};
 use glam::DVec3;
 
@@ -46,6 +46,14 @@ pub(crate) struct Checked {
 
 pub(crate) fn size(cast: &Cast) -> f64 {
     cast.ball.radius() + cast.shape.centre().length() + cast.shape.max_dist()
+}
+
+/// Whether the plane of a touch holds the shape back and touches the ball, to within so many metres.
+fn parts_within(input: &Cast, touch: &Touching, rounding: f64) -> bool {
+    let centre = input.position + touch.fraction * input.motion;
+    let summit = Draw::summit(&input.shape, input.orientation.conjugate() * touch.normal);
+    let gap = touch.normal.dot(centre - input.orientation * summit) - input.ball.radius();
+    gap.abs() <= rounding
 }
 
 /// Checks one cast against the oracle.
@@ -122,8 +130,12 @@ pub(crate) fn check(input: &Cast) -> Checked {
     );
     if truly && steepness > 1e-4 {
         let allowed = 1e-6 + 64.0 * f64::EPSILON * input.position.length() / input.ball.radius();
+        // Of faces that are nearly one plane rounding in the coordinates tells which is touched: then the
+        // normal parts as well as the right one does.
+        let rim = checked.turn > allowed;
+        let allowed = allowed.max(checked.turn);
         assert!(
-            checked.turn <= allowed,
+            !rim || parts_within(input, &got.enter, rounding),
             "turned by {:e}: {}",
             checked.turn,
             about()
@@ -133,7 +145,9 @@ pub(crate) fn check(input: &Cast) -> Checked {
         let allowed = 16.0 * rounding + allowed * input.ball.radius().min(size);
         assert!(off <= allowed, "the point is off by {off:e} m: {}", about());
         assert_eq!(got.enter.features[0], Feature::Surface);
-        if let Some(feature) = want.feature {
+        if let Some(feature) = want.feature
+            && !rim
+        {
             checked.unique = true;
             assert_eq!(got.enter.features[1], feature, "{}", about());
         }

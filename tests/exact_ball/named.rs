@@ -437,3 +437,27 @@ fn a_ball_above_a_rim_that_hardly_moves() {
         motion: DVec3::new(4.440892098500626e-16, 0.0, 1.1102230246251565e-16),
     });
 }
+
+/// Out of the box with a start on the line of an edge, to the last bit: its height over both planes
+/// is zero there, and yet it sticks out of them later on.
+#[test]
+fn a_ball_that_sets_out_from_an_edge() {
+    check(&Cast {
+        ball: ball(0.362280807012986),
+        position: DVec3::new(
+            1.2489133010410387,
+            -0.38324108564904436,
+            0.08372132955296803,
+        ),
+        shape: Cuboid::new([0.710314755742034, 0.695161529857493, 0.28276601891268704])
+            .unwrap()
+            .into(),
+        orientation: DQuat::from_xyzw(
+            -0.3289047743832251,
+            0.027417630520176536,
+            -0.43989613236741026,
+            0.835201362338911,
+        ),
+        motion: DVec3::Y,
+    });
+}

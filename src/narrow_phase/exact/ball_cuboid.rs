@@ -136,18 +136,20 @@ impl Reach {
         loop {
             // What sticks out from here to the next plane.
             let (mut from, mut direction, mut next) = ([0.0; 3], [0.0; 3], f64::INFINITY);
+            let mut is_outside = false;
             for (index, axis) in axes.iter().enumerate() {
                 let (before, after) = (here < axis.into, here >= axis.out);
                 let height = if before { axis.near } else { axis.far };
                 let sticks_out = before || after;
+                is_outside |= sticks_out;
                 from[index] = if sticks_out { height } else { 0.0 };
                 direction[index] = if sticks_out { axis.speed } else { 0.0 };
                 let plane = if before { axis.into } else { axis.out };
                 next = next.min(if after { f64::INFINITY } else { plane });
             }
             let (mut from, mut direction) = (DVec3::from(from), DVec3::from(direction));
-            if from == DVec3::ZERO {
-                // In the box: the radius is below rounding.
+            if !is_outside {
+                // The radius is below rounding.
                 let axis = axes[first];
                 from = axis.near * DVec3::AXES[first];
                 direction = axis.speed * DVec3::AXES[first];
