@@ -38,10 +38,20 @@ impl<'a> Hull<'a> {
         self.mesh.edges
     }
 
+    pub(super) fn vertex_count(&self) -> usize {
+        self.mesh.vertices.len()
+    }
+
     pub(super) fn point(&self, index: u32) -> DVec3 {
+        self.turned(index) + self.offset
+    }
+
+    /// A vertex as seen from the centre.
+    #[inline]
+    pub(super) fn turned(&self, index: u32) -> DVec3 {
         let local = self.mesh.vertices.get(index as usize).copied();
         debug_assert!(local.is_some(), "no vertex {index}");
-        self.rotation * (local.unwrap_or(self.centre) - self.centre) + self.offset
+        self.rotation * (local.unwrap_or(self.centre) - self.centre)
     }
 
     /// From an edge's first vertex to its second; not of unit length.
