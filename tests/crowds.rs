@@ -10,9 +10,10 @@
 mod worlds;
 
 use feeler::{
-    Body, BroadPhase, CollisionWorld, Contact, Groups, Motion, Sphere, WorldConfig, first_contact,
+    Body, BroadPhase, CollisionWorld, Contact, Cuboid, Groups, Motion, Polytope, Shape, Sphere,
+    WorldConfig, first_contact,
 };
-use glam::DVec3;
+use glam::{DQuat, DVec3};
 use worlds::{Crowd, Random};
 
 fn world(broad_phase: BroadPhase) -> CollisionWorld {
@@ -154,28 +155,49 @@ fn balls_are_examined_as_any_other_pair() {
 fn a_settled_frame_allocates_nothing() {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1);
     pool.build().unwrap().install(|| {
-        let mut world = world(BroadPhase::Bvh);
-        let mut random = Random::seeded(3);
-        for (number, body) in (0..).zip(Crowd::Balls.bodies(2_000, &mut random)) {
-            // Some stand; the others fly where they have flown for a while.
-            let place = body.motion().position_after(0.0);
-            let body = match number % 4 {
-                0 => Body::fixed(body.shape().clone(), place),
-                _ => body,
-            };
-            world.insert(body).unwrap();
-        }
-        let mut contacts = 0;
-        for _ in 0..40 {
-            world.step(1.0 / 600.0).unwrap();
-        }
-        let counted = allocation_counter::measure(|| {
-            for _ in 0..5 {
-                contacts += world.step(1.0 / 600.0).unwrap().len();
+        for crowd in [Crowd::Balls, Crowd::Boxes, Crowd::Hulls] {
+            let mut world = world(BroadPhase::Bvh);
+            let mut random = Random::seeded(3);
+            for (number, body) in (0..).zip(crowd.bodies(2_000, &mut random)) {
+                // Some stand, most as they would in a pile; the others fly where they have
+                // flown for a while.
+                let place = body.motion().position_after(0.0);
+                let body = match number % 4 {
+                    0 => Body::fixed(body.shape().clone(), place),
+                    1 => body.oriented(DQuat::IDENTITY),
+                    _ => body,
+                };
+                world.insert(body).unwrap();
             }
-        });
-        assert_eq!(counted.count_total, 0, "{counted:?}");
-        assert!(contacts > 1_000, "{contacts}");
+            // Stacks: faces on faces; some fall before the count begins and some within it.
+            let cube = Cuboid::new([0.5, 0.5, 0.5]).unwrap();
+            let brick = Polytope::from_points(cube.vertices()).unwrap();
+            for number in 0..24 {
+                let (x, z) = (
+                    1e3 + 10.0 * f64::from(number),
+                    if number < 20 { 1.1 } else { 1.7 },
+                );
+                for (y, shape) in [(0.0, Shape::from(cube)), (10.0, Shape::from(brick.clone()))] {
+                    let falling = DVec3::new(0.0, 0.0, -3.0);
+                    let falling = Motion::free([x, y + 0.3, z], falling).unwrap();
+                    world
+                        .insert(Body::fixed(shape.clone(), [x, y, 0.0]))
+                        .unwrap();
+                    world.insert(Body::moving(shape, falling)).unwrap();
+                }
+            }
+            let mut contacts = 0;
+            for _ in 0..100 {
+                world.step(1.0 / 600.0).unwrap();
+            }
+            let counted = allocation_counter::measure(|| {
+                for _ in 0..80 {
+                    contacts += world.step(1.0 / 600.0).unwrap().len();
+                }
+            });
+            assert_eq!(counted.count_total, 0, "{crowd:?}: {counted:?}");
+            assert!(contacts > 10_000, "{contacts}");
+        }
     });
 }
 

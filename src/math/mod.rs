@@ -6,3 +6,4 @@ pub(crate) mod domain;
 pub(crate) mod exact;
 pub(crate) mod frame;
 pub(crate) mod radix;
+pub(crate) mod short_list;

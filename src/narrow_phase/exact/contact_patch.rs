@@ -61,7 +61,6 @@ pub fn contact_patch(
     let top = |body: &Body, direction: DVec3| {
         summit(body, direction, [body.support(direction)])
             .corners
-            .list()
             .iter()
             .map(|&vertex| body.vertex(vertex))
             .collect::<Vec<_>>()

@@ -50,7 +50,7 @@ pub(super) fn corners(a: &[DVec2], b: &[DVec2], size: f64) -> Vec<DVec2> {
     let (subject, clip) = if a.len() <= b.len() { (a, b) } else { (b, a) };
     let mut shared = match (subject, clip) {
         ([_, _], [_, _]) => common_ends(subject, clip, size),
-        ([_, _, ..], [_, _, ..]) => witness::clipped(subject, clip),
+        ([_, _, ..], [_, _, ..]) => witness::clipped(subject, clip).to_vec(),
         _ => Vec::new(),
     };
     let near = |p: &DVec2, q: &DVec2| p.distance(*q) <= DOUBLE * size;

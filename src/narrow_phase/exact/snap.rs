@@ -7,6 +7,7 @@ use super::pair::{Pair, STEEP};
 use super::patch;
 use crate::geometry::{Feature, Polytope, Shape};
 use crate::math::frame::orthonormal;
+use crate::math::short_list::ShortList;
 use glam::{DVec2, DVec3};
 
 /// Share of a body's radius within which vertices lie in one feature.
@@ -41,44 +42,7 @@ pub(super) enum Place {
 /// The part of a body that lies farthest along a direction, and its corners.
 pub(super) struct Summit {
     feature: Feature,
-    pub(super) corners: Corners,
-}
-
-/// A few corners in place, or many.
-pub(super) struct Corners {
-    few: [u32; 4],
-    count: usize,
-    many: Vec<u32>,
-}
-
-impl Corners {
-    fn new(first: u32) -> Self {
-        Self {
-            few: [first; 4],
-            count: 1,
-            many: Vec::new(),
-        }
-    }
-
-    fn push(&mut self, vertex: u32) {
-        if self.many.is_empty() && self.count < 4 {
-            self.few[self.count] = vertex;
-            self.count += 1;
-        } else {
-            if self.many.is_empty() {
-                self.many.extend(self.few);
-            }
-            self.many.push(vertex);
-        }
-    }
-
-    pub(super) fn list(&self) -> &[u32] {
-        if self.many.is_empty() {
-            &self.few[..self.count]
-        } else {
-            &self.many
-        }
-    }
+    pub(super) corners: ShortList<u32, 32>,
 }
 
 impl Pair<'_> {
@@ -151,7 +115,7 @@ impl Pair<'_> {
 
     fn reach(&self, normal: DVec3, a: &Summit, b: &Summit) -> f64 {
         let heights = |body: &Body, summit: &Summit, normal: DVec3| {
-            (summit.corners.list().iter())
+            (summit.corners.iter())
                 .map(|&vertex| normal.dot(body.vertex(vertex)))
                 .fold(f64::NEG_INFINITY, f64::max)
         };
@@ -159,7 +123,8 @@ impl Pair<'_> {
     }
 
     fn point(&self, normal: DVec3, time: f64, a: &Summit, b: &Summit) -> Place {
-        let ([a0, ..], [b0, ..]) = (a.corners.few, b.corners.few);
+        let first = |summit: &Summit| summit.corners.first().copied().unwrap_or_default();
+        let (a0, b0) = (first(a), first(b));
         let to_a = self.nearest + (time - self.nearest_distance) * self.motion;
         if let Feature::Vertex(_) = b.feature {
             let point = self.b.vertex(b0);
@@ -176,8 +141,8 @@ impl Pair<'_> {
         let origin = self.b.vertex(b0);
         let to_a = to_a - origin;
         let (x, y) = orthonormal(normal);
-        let flat = |body: &Body, summit: &Summit, shift: DVec3| -> Vec<DVec2> {
-            let points = summit.corners.list().iter().map(|&vertex| {
+        let flat = |body: &Body, summit: &Summit, shift: DVec3| {
+            let points = summit.corners.iter().map(|&vertex| {
                 let point = body.vertex(vertex) + shift;
                 DVec2::new(point.dot(x), point.dot(y))
             });
@@ -202,7 +167,7 @@ impl Pair<'_> {
 /// Whether a point known to lie level with a triangle, seen along its normal, lies in it; only
 /// triangles are looked at.
 fn within(body: &Body, summit: &Summit, normal: DVec3, point: DVec3, size: f64) -> bool {
-    let &[a, b, c] = summit.corners.list() else {
+    let [a, b, c] = *summit.corners else {
         return false;
     };
     let [a, b, c] = [a, b, c].map(|vertex| body.vertex(vertex) - point);
@@ -227,9 +192,10 @@ fn summit_within<const N: usize>(
     let local = body.rotation.transpose() * direction;
     let margin = share * body.radius;
     let start = known.first().copied().unwrap_or_default();
-    let mut corners = Corners::new(start);
+    let mut corners = ShortList::new();
+    corners.push(start);
     for vertex in known {
-        if !corners.list().contains(&vertex) {
+        if !corners.contains(&vertex) {
             corners.push(vertex);
         }
     }
@@ -238,10 +204,10 @@ fn summit_within<const N: usize>(
     match body.shape {
         Shape::Polytope(polytope) if body.vertex_count() > FEW => {
             let mut next = 0;
-            while let Some(&vertex) = corners.list().get(next) {
+            while let Some(&vertex) = corners.get(next) {
                 next += 1;
                 for &neighbour in polytope.neighbours(vertex) {
-                    if level(neighbour) && !corners.list().contains(&neighbour) {
+                    if level(neighbour) && !corners.contains(&neighbour) {
                         corners.push(neighbour);
                     }
                 }
@@ -249,14 +215,14 @@ fn summit_within<const N: usize>(
         }
         _ => {
             for vertex in 0..body.vertex_count() as u32 {
-                if level(vertex) && !corners.list().contains(&vertex) {
+                if level(vertex) && !corners.contains(&vertex) {
                     corners.push(vertex);
                 }
             }
         }
     }
     Summit {
-        feature: feature(body, local, corners.list()),
+        feature: feature(body, local, &corners),
         corners,
     }
 }

@@ -190,7 +190,11 @@ fn edges_along<'a>(hull: &'a Hull, direction: DVec3) -> Vec<&'a Edge> {
     let near = hull.farthest_within(direction, NEAR * hull.radius);
     hull.edges()
         .iter()
-        .filter(|edge| edge.vertices.iter().all(|&vertex| near[vertex as usize]))
+        .filter(|edge| {
+            edge.vertices
+                .iter()
+                .all(|vertex| near.binary_search(vertex).is_ok())
+        })
         .collect()
 }
 

@@ -1,7 +1,11 @@
 //! A cuboid, triangle or polytope where it stands.
 
 use crate::geometry::{Edge, Mesh, Pose, Shape};
+use crate::math::short_list::ShortList;
 use glam::{DMat3, DVec3};
+
+/// Vertices of one feature.
+pub(super) type Vertices = ShortList<u32, 32>;
 
 /// A shape with vertices, seen along the world's axes from the pair's origin.
 pub(super) struct Hull<'a> {
@@ -34,10 +38,20 @@ impl<'a> Hull<'a> {
         self.mesh.edges
     }
 
+    pub(super) fn vertex_count(&self) -> usize {
+        self.mesh.vertices.len()
+    }
+
     pub(super) fn point(&self, index: u32) -> DVec3 {
+        self.turned(index) + self.offset
+    }
+
+    /// A vertex as seen from the centre.
+    #[inline]
+    pub(super) fn turned(&self, index: u32) -> DVec3 {
         let local = self.mesh.vertices.get(index as usize).copied();
         debug_assert!(local.is_some(), "no vertex {index}");
-        self.rotation * (local.unwrap_or(self.centre) - self.centre) + self.offset
+        self.rotation * (local.unwrap_or(self.centre) - self.centre)
     }
 
     /// From an edge's first vertex to its second; not of unit length.
@@ -102,19 +116,15 @@ impl<'a> Hull<'a> {
         self.point(index)
     }
 
-    /// For each vertex whether it lies within `margin` of the farthest along `direction`.
-    pub(super) fn farthest_within(&self, direction: DVec3, margin: f64) -> Vec<bool> {
+    /// The vertices within `margin` of the farthest along `direction`, in ascending order.
+    pub(super) fn farthest_within(&self, direction: DVec3, margin: f64) -> Vertices {
         let local = self.rotation.transpose() * direction;
-        let heights: Vec<f64> = self
-            .mesh
-            .vertices
-            .iter()
-            .map(|&vertex| (vertex - self.centre).dot(local))
-            .collect();
-        let top = heights.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        heights
-            .iter()
-            .map(|height| top - height <= margin)
+        let height = |vertex: DVec3| (vertex - self.centre).dot(local);
+        let vertices = || self.mesh.vertices.iter().copied();
+        let top = vertices().map(height).fold(f64::NEG_INFINITY, f64::max);
+        (0..)
+            .zip(vertices())
+            .filter_map(|(index, vertex)| (top - height(vertex) <= margin).then_some(index))
             .collect()
     }
 }

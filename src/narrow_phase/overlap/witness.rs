@@ -1,10 +1,11 @@
 //! Where two hulls overlap: the features that meet, and a point between them.
 
-use super::hull::Hull;
+use super::hull::{Hull, Vertices};
 use super::pair::Pair;
 use super::{Overlap, Width};
 use crate::geometry::Feature;
 use crate::math::frame::orthonormal;
+use crate::math::short_list::ShortList;
 use glam::{DVec2, DVec3};
 
 /// Share of a hull's radius within which vertices lie in one feature.
@@ -14,21 +15,24 @@ use glam::{DVec2, DVec3};
 /// turned by a hair from a face is taken for part of it.
 const FEATURE: f64 = 1e-11;
 
+/// Corners of a flat convex feature; more than these few go to the heap.
+pub(in crate::narrow_phase) type Polygon = ShortList<DVec2, 32>;
+
 impl Pair<'_> {
     /// The overlap whose least width was found.
     pub(super) fn witness(&self, least: Width) -> Option<Overlap> {
         let Width { direction, width } = least;
-        let (feature_a, points_a) = feature(&self.a, -direction);
-        let (feature_b, points_b) = feature(&self.b, direction);
+        let (feature_a, vertices_a) = feature(&self.a, -direction);
+        let (feature_b, vertices_b) = feature(&self.b, direction);
         let (x, y) = orthonormal(direction);
-        let flat = |points: Vec<DVec3>| -> Vec<DVec2> {
-            let points: Vec<DVec2> = points
-                .iter()
-                .map(|p| DVec2::new(p.dot(x), p.dot(y)))
-                .collect();
-            around(points)
+        let flat = |hull: &Hull, vertices: &[u32]| {
+            let points = vertices.iter().map(|&vertex| {
+                let point = hull.point(vertex);
+                DVec2::new(point.dot(x), point.dot(y))
+            });
+            around(points.collect())
         };
-        let shared = middle(&flat(points_a), &flat(points_b));
+        let shared = middle(&flat(&self.a, &vertices_a), &flat(&self.b, &vertices_b));
         let bottom = self.a.support(-direction).dot(direction);
         let top = self.b.support(direction).dot(direction);
         Some(Overlap {
@@ -41,43 +45,52 @@ impl Pair<'_> {
     }
 }
 
-/// The feature that lies farthest along `direction`, and its corners.
-fn feature(hull: &Hull, direction: DVec3) -> (Feature, Vec<DVec3>) {
-    let inside = hull.farthest_within(direction, FEATURE * hull.radius);
-    let vertices: Vec<u32> = (0..)
-        .zip(&inside)
-        .filter_map(|(index, &inside)| inside.then_some(index))
-        .collect();
-    let edges: Vec<u32> = (0..)
-        .zip(hull.edges())
-        .filter_map(|(index, edge)| {
-            let [from, to] = edge.vertices;
-            (vertices.len() > 1 && inside[from as usize] && inside[to as usize]).then_some(index)
-        })
-        .collect();
-    let points = vertices.iter().map(|&index| hull.point(index)).collect();
-    let feature = match edges[..] {
-        [] => Feature::Vertex(vertices.first().copied().unwrap_or(0)),
-        [edge] => Feature::Edge(edge),
-        _ => edges
+/// The feature that lies farthest along `direction`, and its vertices.
+fn feature(hull: &Hull, direction: DVec3) -> (Feature, Vertices) {
+    let vertices = hull.farthest_within(direction, FEATURE * hull.radius);
+    if let [] | [_] = *vertices {
+        let vertex = vertices.first().copied().unwrap_or(0);
+        return (Feature::Vertex(vertex), vertices);
+    }
+    let is_inside = |vertex: u32| vertices.binary_search(&vertex).is_ok();
+    let edges = (0..).zip(hull.edges()).filter_map(|(index, edge)| {
+        edge.vertices
             .iter()
-            .flat_map(|&edge| hull.edges()[edge as usize].faces)
-            .max_by(|&p, &q| {
-                let along = |face| hull.face_normal(face).dot(direction);
-                along(p).total_cmp(&along(q)).then(q.cmp(&p))
-            })
-            .map_or(Feature::Edge(edges[0]), Feature::Face),
+            .all(|&vertex| is_inside(vertex))
+            .then_some((index, edge))
+    });
+    let mut first = None;
+    let mut best: Option<(f64, u32)> = None;
+    let mut is_face = false;
+    for (index, edge) in edges {
+        is_face = first.is_some();
+        first = first.or(Some(index));
+        for face in edge.faces {
+            let along = hull.face_normal(face).dot(direction);
+            // Of equals the one of the lower number.
+            let order = |&(most, other): &(f64, u32)| along.total_cmp(&most).then(other.cmp(&face));
+            if best.as_ref().is_none_or(|best| order(best).is_gt()) {
+                best = Some((along, face));
+            }
+        }
+    }
+    let feature = match (first, best) {
+        (Some(_), Some((_, face))) if is_face => Feature::Face(face),
+        (Some(edge), _) => Feature::Edge(edge),
+        (None, _) => Feature::Vertex(vertices.first().copied().unwrap_or(0)),
     };
-    (feature, points)
+    (feature, vertices)
 }
 
 /// The corners of a convex polygon in counter-clockwise order.
-pub(in crate::narrow_phase) fn around(mut points: Vec<DVec2>) -> Vec<DVec2> {
-    let centre = mean(&points);
-    points.sort_by(|p, q| {
-        let angle = |p: &DVec2| (p.y - centre.y).atan2(p.x - centre.x);
-        angle(p).total_cmp(&angle(q))
-    });
+pub(in crate::narrow_phase) fn around(mut points: Polygon) -> Polygon {
+    if points.len() > 1 {
+        let centre = mean(&points);
+        points.sort_by(|p, q| {
+            let angle = |p: &DVec2| (p.y - centre.y).atan2(p.x - centre.x);
+            angle(p).total_cmp(&angle(q))
+        });
+    }
     points
 }
 
@@ -144,12 +157,14 @@ fn of_segments([from, to]: [DVec2; 2], [other_from, other_to]: [DVec2; 2]) -> DV
 }
 
 /// What of `subject` lies in the polygon `clip`. Source: Sutherland & Hodgman (1974).
-pub(in crate::narrow_phase) fn clipped(subject: &[DVec2], clip: &[DVec2]) -> Vec<DVec2> {
-    let mut kept = subject.to_vec();
+pub(in crate::narrow_phase) fn clipped(subject: &[DVec2], clip: &[DVec2]) -> Polygon {
+    let mut lists = [subject.iter().copied().collect(), Polygon::new()];
+    let [kept, next] = &mut lists;
+    let (mut kept, mut next) = (kept, next);
     for (index, &from) in clip.iter().enumerate() {
         let along = clip[(index + 1) % clip.len()] - from;
         let height = |point: DVec2| along.perp_dot(point - from);
-        let mut next = Vec::with_capacity(kept.len() + 1);
+        next.clear();
         for (index, &point) in kept.iter().enumerate() {
             let previous = kept[(index + kept.len() - 1) % kept.len()];
             let (before, here) = (height(previous), height(point));
@@ -160,7 +175,7 @@ pub(in crate::narrow_phase) fn clipped(subject: &[DVec2], clip: &[DVec2]) -> Vec
                 next.push(point);
             }
         }
-        kept = next;
+        std::mem::swap(&mut kept, &mut next);
     }
-    kept
+    std::mem::replace(kept, Polygon::new())
 }
