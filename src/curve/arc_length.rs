@@ -33,6 +33,10 @@ pub(crate) struct ArcLength {
     length: f64,
 }
 
+/// Where a look-up has ended: the number of a span, as good as any of which nothing is known.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct Near(u32);
+
 /// Cells of the grid for each curve. More leave fewer curves to a cell, at 4 bytes each.
 const CELLS: usize = 2;
 
@@ -67,7 +71,9 @@ impl ArcLength {
                 Span::each(&velocity, &cut, |mut span, way| {
                     span.start = sum.value();
                     if count <= FITTED {
-                        fits.push(FITTER.fit(&velocity, &span, way));
+                        let mut fit = FITTER.fit(&velocity, &span, way);
+                        fit.piece = piece as u32;
+                        fits.push(fit);
                     }
                     spans.push(span);
                     sum.add(way);
@@ -119,8 +125,29 @@ impl ArcLength {
 
     /// The curve and parameter at `distance`, which is clamped; NaN counts as 0.
     pub(crate) fn locate(&self, pieces: &[CubicBezier], distance: f64) -> (usize, f64) {
+        self.find(pieces, distance).0
+    }
+
+    /// The same, to the bit, for who knows a place near by.
+    ///
+    /// On the span of that place there is nothing to search, and little memory to wait for.
+    #[inline]
+    pub(crate) fn locate_near(
+        &self,
+        pieces: &[CubicBezier],
+        distance: f64,
+        near: Near,
+    ) -> ((usize, f64), Near) {
+        match self.fits.get(near.0 as usize) {
+            Some(fit) if fit.holds(distance) => ((fit.piece as usize, fit.u_at(distance)), near),
+            _ => self.find(pieces, distance),
+        }
+    }
+
+    fn find(&self, pieces: &[CubicBezier], distance: f64) -> ((usize, f64), Near) {
         if distance >= self.length {
-            return (self.joints.len() - 2, 1.0);
+            let last = self.spans.len().saturating_sub(1);
+            return ((self.joints.len() - 2, 1.0), Near(last as u32));
         }
         let distance = distance.max(0.0);
         let cell = self.cell(distance);
@@ -145,13 +172,12 @@ impl ArcLength {
         if index == EDGES {
             index = spans.partition_point(|span| span.start <= distance) - 1;
         }
-        let span = &spans[index];
-        if let Some(fit) = self.fits.get(self.firsts[piece] as usize + index)
-            && fit.good
-        {
-            return (piece, fit.u_at(distance - span.start).min(1.0));
-        }
-        (piece, span.u_at(&pieces[piece].velocity(), distance))
+        let number = self.firsts[piece] as usize + index;
+        let u = match self.fits.get(number) {
+            Some(fit) if fit.good => fit.u_at(distance),
+            _ => spans[index].u_at(&pieces[piece].velocity(), distance),
+        };
+        ((piece, u), Near(number as u32))
     }
 
     /// The distance at parameter `u` of `piece`; places beyond the ends are clamped.

@@ -21,6 +21,11 @@ const TAIL: f64 = 3e-15;
 /// of the span: a few times the rounding of both.
 const OFF: f64 = 6e-15;
 
+/// Share of a span before its end within which rounding may put a distance on either side of it.
+///
+/// Spans are no shorter than some 1e-12 of a path; of those that are, all is seam.
+const SEAM: f64 = 1e-3;
+
 /// The parameter of a curve for a distance on one span: exact to rounding, without a root or an
 /// integral.
 ///
@@ -30,19 +35,37 @@ const OFF: f64 = 6e-15;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(align(64))]
 pub(super) struct Fit {
+    /// Distance from the path's start to the span's.
+    pub(super) start: f64,
     per_metre: f64,
     u_start: f64,
+    /// The span's curve.
+    pub(super) piece: u32,
     /// Whether the polynomial is good enough to be the answer.
     pub(super) good: bool,
     coefficients: [f64; COUNT],
 }
 
 impl Fit {
-    /// The parameter at `distance` from the span's start.
+    /// The parameter at `distance` from the path's start, which lies on the span.
     #[inline]
     pub(super) fn u_at(&self, distance: f64) -> f64 {
-        let share = (distance * self.per_metre).clamp(0.0, 1.0);
-        self.u_start + share * polynomial(&self.coefficients, 2.0 * share - 1.0)
+        let share = self.share(distance).clamp(0.0, 1.0);
+        let u = self.u_start + share * polynomial(&self.coefficients, 2.0 * share - 1.0);
+        u.min(1.0)
+    }
+
+    /// Whether a distance from the path's start lies on the span for certain, and what the
+    /// polynomial says there is right.
+    #[inline]
+    pub(super) fn holds(&self, distance: f64) -> bool {
+        // Where the next span begins may be an ulp before or after what this one's length says.
+        self.good && distance >= self.start && self.share(distance) < 1.0 - SEAM
+    }
+
+    #[inline]
+    fn share(&self, distance: f64) -> f64 {
+        (distance - self.start) * self.per_metre
     }
 }
 
@@ -87,6 +110,8 @@ impl Fitter {
     /// The fit of a span that is `length` long.
     pub(super) fn fit(&self, velocity: &[DVec3; 3], span: &Span, length: f64) -> Fit {
         let mut fit = Fit {
+            start: span.start,
+            piece: 0,
             per_metre: length.recip(),
             u_start: span.u_start,
             good: false,

@@ -22,6 +22,7 @@ pub use bezier::CubicBezier;
 pub use spline::{Knots, Spline};
 pub use table::{ArcLengthRow, ArcLengthTable};
 
+pub(crate) use arc_length::Near;
 pub(crate) use section::{Bending, Section};
 
 #[cfg(feature = "serde")]

@@ -1,6 +1,6 @@
 //! Splines.
 
-use crate::curve::arc_length::ArcLength;
+use crate::curve::arc_length::{ArcLength, Near};
 use crate::curve::{CubicBezier, catmull_rom, hermite};
 use crate::error::PathError;
 use crate::math::domain;
@@ -273,6 +273,12 @@ impl Spline {
     #[must_use]
     pub fn locate(&self, distance: f64) -> (usize, f64) {
         self.arc_length.locate(&self.pieces, distance)
+    }
+
+    /// The same, to the bit, for who knows [where](Near) another look-up has ended.
+    #[inline]
+    pub(crate) fn locate_near(&self, distance: f64, near: Near) -> ((usize, f64), Near) {
+        self.arc_length.locate_near(&self.pieces, distance, near)
     }
 
     /// The distance at parameter `u` of `piece`: the inverse of

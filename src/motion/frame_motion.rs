@@ -1,5 +1,6 @@
 //! The motion of one body in one frame.
 
+use crate::curve::Near;
 use crate::geometry::Pose;
 use crate::motion::journey::{Journey, Waypoint};
 use crate::motion::kind::Kind;
@@ -26,6 +27,10 @@ pub(crate) struct FrameMotion {
     pub(crate) start: DVec3,
     /// From where it starts to where it is as the frame ends.
     pub(crate) displacement: DVec3,
+    /// Of a curve that is followed all through the frame, where it ends.
+    end: Option<End>,
+    /// Of a curve, where it begins.
+    pub(super) near: Near,
     /// How far it strays at most from the straight and even motion along `displacement`.
     pub(crate) deviation: f64,
     /// Fraction up to which it rests because it has not set out; 0 if it has.
@@ -36,8 +41,30 @@ pub(crate) struct FrameMotion {
     pub(crate) curved: bool,
 }
 
+/// Where a frame on a curve ends.
+#[derive(Debug, Clone, Copy)]
+struct End {
+    /// Seconds of the motion by then, which tell it from others that came later.
+    elapsed: f64,
+    /// As by the clock: to the bit what the next frame counts from.
+    flown: f64,
+    position: DVec3,
+    near: Near,
+}
+
 impl FrameMotion {
     pub(crate) fn new(motion: &Motion, elapsed: f64, duration: f64) -> Self {
+        Self::begin(motion, elapsed, duration, None)
+    }
+
+    /// What [`new`](Self::new) makes, to the bit: the next frame of the same motion, or the first one of another.
+    ///
+    /// Where the new frame begins as this one ends, only its end need be looked up, and that near by.
+    pub(crate) fn renewed(&self, motion: &Motion, elapsed: f64, duration: f64) -> Self {
+        Self::begin(motion, elapsed, duration, self.end)
+    }
+
+    fn begin(motion: &Motion, elapsed: f64, duration: f64, last: Option<End>) -> Self {
         let mut frame = Self {
             duration,
             flown: 0.0,
@@ -45,8 +72,10 @@ impl FrameMotion {
                 Turning::Spin(spin) => spin.rotation_after(elapsed),
                 Turning::Not | Turning::Facing(_) => DQuat::IDENTITY,
             },
-            start: motion.position_after(elapsed),
+            start: DVec3::ZERO,
             displacement: DVec3::ZERO,
+            end: None,
+            near: last.map_or(Near::default(), |last| last.near),
             deviation: 0.0,
             rests_until: 0.0,
             rests_from: f64::INFINITY,
@@ -69,8 +98,44 @@ impl FrameMotion {
                 }
                 frame.curved = !journey.path.is_straight();
             }
+            if let Some(spline) = journey.path.as_spline()
+                && frame.curved
+            {
+                let look = |flown: f64, near: Near| {
+                    let waypoint = journey.waypoint(flown);
+                    let ((piece, u), near) = spline.locate_near(waypoint.distance, near);
+                    (spline.pieces()[piece].point(u), near)
+                };
+                (frame.start, frame.near) = match last {
+                    Some(last)
+                        if elapsed > 0.0
+                            && last.elapsed.to_bits() == elapsed.to_bits()
+                            && last.flown.to_bits() == frame.flown.to_bits() =>
+                    {
+                        (last.position, last.near)
+                    }
+                    _ => look(frame.flown, frame.near),
+                };
+                let goes_on = frame.rests_until <= 0.0 && frame.rests_from >= 1.0;
+                if goes_on {
+                    let flown = journey.flown_after(elapsed + duration);
+                    let (position, near) = look(flown, frame.near);
+                    frame.displacement = position - frame.start;
+                    frame.end = Some(End {
+                        elapsed: elapsed + duration,
+                        flown,
+                        position,
+                        near,
+                    });
+                }
+            }
         }
-        frame.displacement = frame.displacement_between(motion, 0.0, 1.0);
+        if !frame.curved {
+            frame.start = motion.position_after(elapsed);
+        }
+        if frame.end.is_none() {
+            frame.displacement = frame.displacement_between(motion, 0.0, 1.0);
+        }
         frame.deviation = frame.deviation_from(motion, frame.displacement, 0.0, 1.0);
         frame
     }
@@ -204,8 +269,8 @@ impl FrameMotion {
             return 0.0;
         }
         // Up to its very end a path is one way.
-        let one_way = journey.at_end == AtEnd::Rest || self.end_after(journey, from).0 >= to;
-        let straight = journey.path.is_straight() && one_way;
+        let one_way = || journey.at_end == AtEnd::Rest || self.end_after(journey, from).0 >= to;
+        let straight = journey.path.is_straight() && one_way();
         if from < self.rests_until || to > self.rests_from {
             // Partly at rest. A straight path is ahead of or behind even
             // motion, most of all where it begins or ends; a curve no farther

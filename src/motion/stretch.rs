@@ -1,6 +1,6 @@
 //! Parts of a frame on which a body moves as one formula says.
 
-use crate::curve::{CubicBezier, Spline};
+use crate::curve::{CubicBezier, Near, Spline};
 use crate::motion::kind::Kind;
 use crate::motion::{FrameMotion, Motion};
 use glam::DVec3;
@@ -30,6 +30,8 @@ pub(crate) struct Curve<'a> {
     spline: &'a Spline,
     pub(crate) piece: &'a CubicBezier,
     index: usize,
+    /// Where it begins.
+    near: Near,
     /// Parameters of the piece at the stretch's start and end; falling on the way back.
     pub(crate) u: [f64; 2],
     /// Distances of both along the path.
@@ -70,7 +72,7 @@ impl FrameMotion {
             let velocity = sense * journey.speed * journey.path.tangent_at(0.0);
             return until(self.next_break(motion, from), Course::Straight(velocity));
         };
-        let (mut index, mut u) = spline.locate(start);
+        let ((mut index, mut u), near) = spline.locate_near(start, self.near);
         if !forward && u <= 0.0 && index > 0 {
             (index, u) = (index - 1, 1.0);
         }
@@ -80,7 +82,7 @@ impl FrameMotion {
         let (end, u_end) = if sense * (joint - end) <= 0.0 {
             (joint, u_joint)
         } else {
-            let (piece, u) = spline.locate(end);
+            let ((piece, u), _) = spline.locate_near(end, near);
             // By rounding on the next piece.
             (end, if piece == index { u } else { u_joint })
         };
@@ -96,6 +98,7 @@ impl FrameMotion {
                 spline,
                 piece: &spline.pieces()[index],
                 index,
+                near,
                 u: [u, u_end],
                 distances: [start, end],
             }),
@@ -125,7 +128,8 @@ impl Curve<'_> {
             return last;
         }
         let [start, end] = self.distances;
-        let (piece, u) = self.spline.locate(start + share * (end - start));
+        let distance = start + share * (end - start);
+        let ((piece, u), _) = self.spline.locate_near(distance, self.near);
         if piece == self.index {
             u.clamp(first.min(last), first.max(last))
         } else if (piece > self.index) == (last >= first) {

@@ -7,7 +7,6 @@
 use crate::broad_phase::{BroadPhase, Bvh, FramePairs, PairList, Volume};
 use crate::error::StepError;
 use crate::math::domain;
-use crate::motion::FrameMotion;
 use crate::tolerance::{MAX_COORDINATE, MAX_TIME_STEP, MIN_TIME_STEP};
 use crate::world::finding::Frame;
 use crate::world::findings;
@@ -201,7 +200,7 @@ impl CollisionWorld {
                 return false;
             }
             let (elapsed, duration) = span.of_motion(resident.since);
-            resident.frame = FrameMotion::new(resident.body.motion(), elapsed, duration);
+            resident.frame = (resident.frame).renewed(resident.body.motion(), elapsed, duration);
             *track = Track::in_frame(resident, span);
             true
         });

@@ -4,6 +4,7 @@ use crate::draw::Draw;
 use crate::hunt::seeds;
 use crate::verdict::Pair;
 use feeler::{CollisionWorld, Contact, Method, first_contact};
+use std::ops::Range;
 
 /// What a world tells first of its two bodies, in frames of so many to the horizon.
 fn stepped(pair: &Pair, frames: u32) -> Result<Option<Contact>, f64> {
@@ -27,11 +28,32 @@ fn stepped(pair: &Pair, frames: u32) -> Result<Option<Contact>, f64> {
     Ok(None)
 }
 
+/// Far from the origin, where in a short frame a body's velocity is hidden in the rounding of where it is: the
+/// last bit of the way to the touch took 4e-9 of the horizon too short.
+#[test]
+fn who_faces_its_way_far_from_the_origin_meets_when_it_does_in_longer_frames() {
+    let (hits, .., wrong) = compare(14_132..14_133);
+    assert!(hits == 1 && wrong.is_empty(), "{wrong:?}");
+}
+
 #[test]
 fn frames_of_any_length_tell_the_same_first_contact() {
-    let (mut hits, mut misses, mut open) = (0, 0, 0);
     let seeds = seeds(40);
     let all = seeds.end - seeds.start;
+    let (hits, misses, open, wrong) = compare(seeds);
+    let told = format!("{hits} hits, {misses} misses, {open} open");
+    eprintln!("{told}");
+    assert!(wrong.is_empty(), "{told}\n{}", wrong.join("\n"));
+    assert!(
+        all < 30 || 8 * hits > all && 5 * misses > all,
+        "lopsided: {told}"
+    );
+    assert!(20 * open <= all, "{told}");
+}
+
+/// Hits, misses, what cannot be told, and what is wrong.
+fn compare(seeds: Range<u64>) -> (u64, u64, u64, Vec<String>) {
+    let (mut hits, mut misses, mut open) = (0, 0, 0);
     let mut wrong = Vec::new();
     for seed in seeds {
         // Others than those of the hunt.
@@ -89,12 +111,5 @@ fn frames_of_any_length_tell_the_same_first_contact() {
             }
         }
     }
-    let told = format!("{hits} hits, {misses} misses, {open} open");
-    eprintln!("{told}");
-    assert!(wrong.is_empty(), "{told}\n{}", wrong.join("\n"));
-    assert!(
-        all < 30 || 8 * hits > all && 5 * misses > all,
-        "lopsided: {told}"
-    );
-    assert!(20 * open <= all, "{told}");
+    (hits, misses, open, wrong)
 }

@@ -155,14 +155,24 @@ impl<'a> Flight<'a> {
     /// How fast the body's point moves that is at `point` of the world at `fraction`, metres per
     /// frame, by a difference.
     pub(super) fn point_velocity(&self, point: DVec3, fraction: f64) -> DVec3 {
-        /// Half of the digits.
-        const SHARE: f64 = 1e-7;
+        /// Of the frame: half of the digits.
+        const LEAST: f64 = 1e-7;
+        const MOST: f64 = 1e-3;
         let pose = |fraction: f64| self.pose_at(fraction);
         let now = pose(fraction);
-        let (other, share) = if fraction + SHARE <= 1.0 {
-            (pose(fraction + SHARE), SHARE)
+        // Far from the origin, and in short frames, a short way has few digits: half of those that the
+        // frame's whole way has.
+        let rounding = f64::EPSILON * now.position.abs().max_element();
+        let share = (rounding / self.speed).sqrt();
+        let share = if share > LEAST {
+            share.min(MOST)
         } else {
-            (pose(fraction - SHARE), -SHARE)
+            LEAST
+        };
+        let (other, share) = if fraction + share <= 1.0 {
+            (pose(fraction + share), share)
+        } else {
+            (pose(fraction - share), -share)
         };
         let local = now.local_point(point);
         let moved =

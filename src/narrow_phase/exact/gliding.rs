@@ -78,8 +78,31 @@ struct Pair<'f, 'a> {
 }
 
 impl<'f, 'a> Pair<'f, 'a> {
+    /// Whether one plane parts them all through the frame, by what they stray from their chords: no curve
+    /// need be looked at.
+    #[inline]
+    fn is_parted<P: Parting>(&self, parting: &mut P) -> bool {
+        let (a, b) = (self.a.frame, self.b.frame);
+        let start = a.start - b.start;
+        let way = a.displacement - b.displacement;
+        let stray = a.deviation + b.deviation + self.touch;
+        // Both planes: where they begin, and half way.
+        [0.0, 0.5].into_iter().any(|share| {
+            parting.part(start + share * way).is_some_and(|parted| {
+                let slope = parted.normal.dot(way);
+                let least = parted.gap + ((1.0 - share) * slope).min(-share * slope);
+                least > stray
+            })
+        })
+    }
+
     #[inline]
     fn search<P: Parting>(self, poses: [Pose; 2], parting: P, steps: &mut usize) -> Glide {
+        let mut parting = parting;
+        if self.is_parted(&mut parting) {
+            *steps += 1;
+            return Glide::Found(Encounter::Apart);
+        }
         let stretch = |flight: &'f Flight<'a>| flight.frame.stretch_at(flight.motion, 0.0);
         let mut search = Search {
             flights: [self.a, self.b],
