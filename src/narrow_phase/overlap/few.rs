@@ -184,6 +184,13 @@ impl Least {
 /// What the pair is wide along the normals of faces bounds it along the arcs between them: those
 /// that are wider than what has been found, all along, need not be crossed with others.
 pub(super) fn least(pair: &Pair) -> Option<Width> {
+    // Before anything is made ready: most pairs that are apart are so along this line.
+    let between = unit(pair.offset).map(|direction| pair.width(direction));
+    let first = between.map_or(f64::INFINITY, |between| between.width);
+    if first <= pair.touch {
+        // Any direction will do.
+        return between;
+    }
     let a = Side::new(&pair.a, -1.0, pair.offset);
     let b = Side::new(&pair.b, 1.0, pair.offset);
     let width = |direction: DVec3| {
@@ -194,15 +201,8 @@ pub(super) fn least(pair: &Pair) -> Option<Width> {
     let mut least = Least {
         rounding,
         best: None,
-        most: f64::INFINITY,
+        most: first + 4.0 * rounding,
     };
-    if let Some(between) = unit(pair.offset).map(width) {
-        if between.width <= pair.touch {
-            // Apart; any direction will do.
-            return Some(between);
-        }
-        least.most = between.width + 4.0 * rounding;
-    }
     let mut heights = [[Lanes::default(); FACES]; 2];
     for ((side, other), heights) in [(&a, &b), (&b, &a)].into_iter().zip(&mut heights) {
         for (face, heights) in (0..side.hull.face_count()).zip(heights) {
