@@ -46,6 +46,9 @@ const CELLS: usize = 2;
 /// counts.
 const FITTED: usize = 256;
 
+/// How often a span is halved at most so that it has a good [`Fit`]: beside a standstill none has.
+const HALVINGS: u32 = 3;
+
 /// Spans of a curve, but the first, that are told apart without a branch.
 ///
 /// A cache line. Random curves have five or six spans; of one in a hundred thousand that has more than nine
@@ -68,16 +71,26 @@ impl ArcLength {
             let mut length = 0.0;
             let velocity = curve.velocity();
             span::subdivide(&velocity, 0.0..1.0, |cut| {
-                Span::each(&velocity, &cut, |mut span, way| {
-                    span.start = sum.value();
-                    if count <= FITTED {
-                        let mut fit = FITTER.fit(&velocity, &span, way);
-                        fit.piece = piece as u32;
-                        fits.push(fit);
+                Span::each(&velocity, &cut, |span, way| {
+                    let mut push = |mut span: Span, way: f64| {
+                        span.start = sum.value();
+                        spans.push(span);
+                        sum.add(way);
+                        length += way;
+                        span.start
+                    };
+                    if count > FITTED {
+                        push(span, way);
+                        return;
                     }
-                    spans.push(span);
-                    sum.add(way);
-                    length += way;
+                    FITTER.each(&velocity, (span, way), HALVINGS, &mut |span, fit, way| {
+                        let start = push(span, way);
+                        fits.push(Fit {
+                            start,
+                            piece: piece as u32,
+                            ..fit
+                        });
+                    });
                 });
             });
             let mut starts = [f64::INFINITY; EDGES];
@@ -269,14 +282,18 @@ mod tests {
         };
         let good = short.fits.iter().filter(|fit| fit.good).count();
         let all = short.spans.len();
-        // Of these wild curves three quarters; what has none is looked up with an integral.
-        assert!(10 * good > 7 * all, "{good} of {all}");
+        assert!(50 * good > 49 * all, "{good} of {all}");
+        // Some 400 kB.
+        assert!(all < 10 * FITTED, "{all}");
         for share in 0..10_000 {
             let distance = short.length() * f64::from(share) / 10_000.0;
             let (piece, u) = short.locate(&pieces, distance);
             let (other, v) = arc_length.locate(&pieces, distance);
+            // The two add up other spans, and distances are rounded; where the curve is slow that is more of
+            // its parameter.
+            let slow = pieces[piece].derivative(u).length().min(1.0);
             assert!(
-                piece == other && (u - v).abs() < 1e-13,
+                piece == other && slow * (u - v).abs() < 4e-13,
                 "{piece} {u} {other} {v}"
             );
         }

@@ -37,13 +37,13 @@ const SEAM: f64 = 1e-3;
 pub(super) struct Fit {
     /// Distance from the path's start to the span's.
     pub(super) start: f64,
-    per_metre: f64,
-    u_start: f64,
+    pub(super) per_metre: f64,
+    pub(super) u_start: f64,
     /// The span's curve.
     pub(super) piece: u32,
     /// Whether the polynomial is good enough to be the answer.
     pub(super) good: bool,
-    coefficients: [f64; COUNT],
+    pub(super) coefficients: [f64; COUNT],
 }
 
 impl Fit {
@@ -87,6 +87,8 @@ pub(super) struct Fitter {
     shares: [f64; COUNT],
     /// From values there to coefficients of Chebyshev polynomials.
     weights: [[f64; COUNT]; COUNT],
+    /// Those polynomials' own coefficients, which are integers.
+    powers: [[f64; COUNT]; COUNT],
 }
 
 /// The one there is, made when it is needed first.
@@ -104,6 +106,26 @@ impl Fitter {
                 let sign = if k % 2 == 0 { scale } else { -scale };
                 std::array::from_fn(|node| sign * libm::cos(k as f64 * angle(node)))
             }),
+            powers: polynomials(),
+        }
+    }
+
+    /// Hands over a span that is `length` long with its fit and its length, or its parts with theirs where it takes
+    /// shorter ones for fits to be good.
+    pub(super) fn each(
+        &self,
+        velocity: &[DVec3; 3],
+        (span, length): (Span, f64),
+        halvings: u32,
+        emit: &mut impl FnMut(Span, Fit, f64),
+    ) {
+        let fit = self.fit(velocity, &span, length);
+        if fit.good || halvings == 0 {
+            emit(span, fit, length);
+            return;
+        }
+        for half in span.halves(velocity, length) {
+            self.each(velocity, half, halvings - 1, emit);
         }
     }
 
@@ -132,7 +154,7 @@ impl Fitter {
         let tail = chebyshev[COUNT - 1].abs() + chebyshev[COUNT - 2].abs();
         // False for NaN and infinity, of spans without length.
         if tail <= TAIL * chebyshev[0].abs() {
-            fit.coefficients = powers(&chebyshev);
+            fit.coefficients = self.powers(&chebyshev);
             let whole = chebyshev[0].abs();
             fit.good = [1e-4, 0.02, 0.35, 0.6, 0.93, 1.0].into_iter().all(|share| {
                 let value = polynomial(&fit.coefficients, 2.0 * share - 1.0);
@@ -141,20 +163,28 @@ impl Fitter {
         }
         fit
     }
+
+    /// From coefficients of Chebyshev polynomials to those of powers.
+    ///
+    /// The latter's are at most 2.42ᵏ times as large, and the former fall faster:
+    /// nothing is lost.
+    fn powers(&self, chebyshev: &[f64; COUNT]) -> [f64; COUNT] {
+        let mut sum = [0.0; COUNT];
+        for (degree, (weight, polynomial)) in chebyshev.iter().zip(&self.powers).enumerate() {
+            for (sum, coefficient) in sum[..=degree].iter_mut().zip(polynomial) {
+                *sum += weight * coefficient;
+            }
+        }
+        sum
+    }
 }
 
-/// From coefficients of Chebyshev polynomials to those of powers.
-///
-/// The latter's are at most 2.42ᵏ times as large, and the former fall faster:
-/// nothing is lost.
-fn powers(chebyshev: &[f64; COUNT]) -> [f64; COUNT] {
-    let mut sum = [0.0; COUNT];
+/// The coefficients of Chebyshev's polynomials.
+fn polynomials() -> [[f64; COUNT]; COUNT] {
     let (mut last, mut this) = ([0.0; COUNT], [0.0; COUNT]);
     this[0] = 1.0;
-    for (degree, weight) in chebyshev.iter().enumerate() {
-        for (sum, coefficient) in sum.iter_mut().zip(this) {
-            *sum += weight * coefficient;
-        }
+    std::array::from_fn(|degree| {
+        let polynomial = this;
         // T(k+1) = 2t·T(k) − T(k−1), and T(1) = t.
         let factor = if degree == 0 { 1.0 } else { 2.0 };
         let next = std::array::from_fn(|power| {
@@ -162,6 +192,6 @@ fn powers(chebyshev: &[f64; COUNT]) -> [f64; COUNT] {
             factor * shifted - last[power]
         });
         (last, this) = (this, next);
-    }
-    sum
+        polynomial
+    })
 }

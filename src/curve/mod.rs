@@ -23,7 +23,7 @@ pub use spline::{Knots, Spline};
 pub use table::{ArcLengthRow, ArcLengthTable};
 
 pub(crate) use arc_length::Near;
-pub(crate) use section::{Bending, Section};
+pub(crate) use section::{Bending, Section, Sway};
 
 #[cfg(feature = "serde")]
 pub(crate) use data::{SplineData, SplineDataError};

@@ -133,6 +133,50 @@ impl Section {
         limits.rise.is_finite().then_some(limits)
     }
 
+    /// Upper bounds of how the angular velocity of a body that keeps `up` upright changes with the distance
+    /// flown; none beside a cusp, and where the stretch may go straight up.
+    ///
+    /// With the velocity's height `z` and its level share `h`, the heading turns by `g/(h²|v|)` a metre, where
+    /// `g = (h × h')·up`, and the climb by `(h·y)/(|h||v|³)` about the level axis across `h`, where
+    /// `y = z'h − zh'`. Both `g` and `y` are quadratic Bézier curves again, and the derivatives of those rates
+    /// by distance are bounded term by term.
+    pub(crate) fn sway(&self, up: DVec3) -> Option<Sway> {
+        let rate = 1.0 / self.width.abs();
+        let heights = self.velocity.map(|velocity| velocity.dot(up));
+        let [a, b, c] = self.velocity;
+        let [za, zb, zc] = heights;
+        let [ha, hb, hc] = [a - za * up, b - zb * up, c - zc * up];
+        let least = |[a, b, c]: [DVec3; 3]| {
+            let axis = a + b + c;
+            axis.dot(a).min(axis.dot(b)).min(axis.dot(c)) / axis.length()
+        };
+        let (slowest, levelest) = (least([a, b, c]), least([ha, hb, hc]));
+        // NaN, of an axis that vanishes, is none.
+        if slowest.is_nan() || slowest <= 0.0 || levelest.is_nan() || levelest <= 0.0 {
+            return None;
+        }
+        let (zt, ht) = ((za - zb) + (zc - zb), (ha - hb) + (hc - hb));
+        let change = 2.0 * rate * (b - a).length().max((c - b).length());
+        let most = |ab: f64, ac: f64, bc: f64| 2.0 * rate * ab.max(0.5 * ac).max(bc);
+        let most_twice = |a: f64, b: f64, c: f64| 2.0 * rate * rate * a.max(b).max(c);
+        let cross = |h: DVec3, k: DVec3| h.cross(k).length();
+        let g = most(cross(ha, hb), cross(ha, hc), cross(hb, hc));
+        let g_change = most_twice(cross(ht, ha), cross(ht, hb), cross(ht, hc));
+        let skew = |(z, h): (f64, DVec3), (w, k): (f64, DVec3)| (z * k - w * h).length();
+        let (at_a, at_b, at_c, twice) = ((za, ha), (zb, hb), (zc, hc), (zt, ht));
+        let y = most(skew(at_a, at_b), skew(at_a, at_c), skew(at_b, at_c));
+        let y_change = most_twice(skew(twice, at_a), skew(twice, at_b), skew(twice, at_c));
+        let (v, h) = (1.0 / slowest, 1.0 / levelest);
+        let heading = (g_change + g * change * (2.0 * h + v)) * (h * v) * (h * v);
+        let climb = (y_change + 2.0 * y * g * h * h + 3.0 * y * change * v) * (v * v) * (v * v);
+        let sway = Sway {
+            up,
+            heading: heading * (1.0 + 64.0 * f64::EPSILON),
+            climb: climb * (1.0 + 64.0 * f64::EPSILON),
+        };
+        (sway.heading + sway.climb).is_finite().then_some(sway)
+    }
+
     /// What bounds the share of the curvature along any vector; none beside a cusp.
     pub(crate) fn bending(&self) -> Option<Bending> {
         let cone = self.tangents()?;
@@ -157,6 +201,45 @@ pub(crate) struct Limits {
     pub(crate) curvature: f64,
     /// Of its second, per square metre.
     pub(crate) rise: f64,
+}
+
+/// How much the angular velocity changes at most of a body that keeps upright.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Sway {
+    /// Unit vector.
+    pub(crate) up: DVec3,
+    /// About up.
+    pub(crate) heading: f64,
+    /// About level axes.
+    pub(crate) climb: f64,
+}
+
+impl Sway {
+    /// Of what does not turn, or evenly.
+    pub(crate) const NONE: Self = Self {
+        up: DVec3::ZERO,
+        heading: 0.0,
+        climb: 0.0,
+    };
+
+    /// Whatever about.
+    pub(crate) fn most(&self) -> f64 {
+        self.heading + self.climb
+    }
+
+    /// How much the cross product of angular velocity and a vector changes at most.
+    pub(crate) fn across(&self, direction: DVec3) -> f64 {
+        self.heading * self.up.cross(direction).length() + self.climb * direction.length()
+    }
+
+    /// By time, in frames, at `speed` metres per frame.
+    pub(crate) fn at_speed(self, speed: f64) -> Self {
+        Self {
+            heading: speed * speed * self.heading,
+            climb: speed * speed * self.climb,
+            ..self
+        }
+    }
 }
 
 /// How much a stretch of a cubic bends at most.

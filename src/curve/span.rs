@@ -191,6 +191,16 @@ impl Span {
         }
     }
 
+    /// Both halves, by the parameter, of a span that is `length` long; with their lengths.
+    pub(crate) fn halves(&self, velocity: &[DVec3; 3], length: f64) -> [(Self, f64); 2] {
+        let whole = Cut {
+            u_start: self.u_start,
+            width: self.width,
+            length,
+        };
+        (whole.halves(velocity)).map(|half| (Self::new(velocity, &half), half.length))
+    }
+
     fn new(velocity: &[DVec3; 3], cut: &Cut) -> Self {
         let hodograph = Hodograph::over(velocity, cut.u_start, cut.width);
         Self {

@@ -9,7 +9,7 @@ use glam::DVec3;
 
 /// Tangents that differ by no more meet without a corner: a body that faces its way
 /// jumps there by 1e-9 of its size at most.
-const SMOOTH: f64 = 1e-9;
+pub(super) const SMOOTH: f64 = 1e-9;
 
 impl FrameMotion {
     /// How fast the body turns at most between two fractions, in radians per

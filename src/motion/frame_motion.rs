@@ -165,6 +165,12 @@ impl FrameMotion {
         self.flown + journey.speed * self.flying(0.0, fraction)
     }
 
+    /// The unit tangent of the path where the body is at `fraction`.
+    pub(super) fn tangent_at(&self, journey: &Journey, fraction: f64) -> DVec3 {
+        let waypoint = self.waypoint(journey, fraction);
+        journey.path.tangent_at(waypoint.distance)
+    }
+
     fn waypoint(&self, journey: &Journey, fraction: f64) -> Waypoint {
         journey.waypoint(self.flown_at(journey, fraction))
     }
@@ -207,8 +213,7 @@ impl FrameMotion {
                 spin::about(spin.axis(), angle) * self.turned
             }
             (Turning::Facing(attitude), Kind::Along(journey)) => {
-                let waypoint = self.waypoint(journey, fraction);
-                attitude.along(journey.path.tangent_at(waypoint.distance))
+                attitude.along(self.tangent_at(journey, fraction))
             }
             (Turning::Not | Turning::Facing(_), _) => DQuat::IDENTITY,
         };

@@ -1,6 +1,8 @@
 //! How a body's carried point and its turning go on from some moment.
 
-use crate::curve::{Bending, Section};
+use crate::curve::{Bending, Section, Sway};
+use crate::motion::bounds::SMOOTH;
+use crate::motion::kind::Kind;
 use crate::motion::stretch::{Course, Stretch};
 use crate::motion::{FrameMotion, Motion, Turning};
 use glam::DVec3;
@@ -114,24 +116,78 @@ impl FrameMotion {
         self.duration * motion.top_speed()
     }
 
-    /// Angular velocity of a spin in radians per frame along the world's axes, or an upper
-    /// bound on how fast a body turns that faces its way, between two fractions.
-    pub(crate) fn turning_rate(&self, motion: &Motion, from: f64, to: f64) -> TurningRate {
+    /// How a body turns between fraction `from`, which lies on `stretch`, and `to`, no later than the stretch's end.
+    pub(crate) fn turning_rate(
+        &self,
+        motion: &Motion,
+        stretch: &Stretch<'_>,
+        from: f64,
+        to: f64,
+    ) -> TurningRate {
+        let steady = |spin: DVec3| TurningRate::About {
+            spin,
+            sway: Sway::NONE,
+        };
         match motion.turning() {
-            Turning::Not => TurningRate::Spin(DVec3::ZERO),
-            Turning::Spin(spin) => TurningRate::Spin(self.duration * spin.rate() * spin.axis()),
-            Turning::Facing(_) => {
-                TurningRate::AtMost(self.duration * self.angular_speed(motion, from, to))
+            Turning::Not => steady(DVec3::ZERO),
+            Turning::Spin(spin) => steady(self.duration * spin.rate() * spin.axis()),
+            Turning::Facing(attitude) => {
+                let up = attitude.world_up();
+                self.heading(motion, stretch, [from, to], up)
+                    .unwrap_or_else(|| {
+                        let most = self.angular_speed(motion, from, to);
+                        TurningRate::AtMost(self.duration * most)
+                    })
             }
         }
+    }
+
+    /// How a body turns that faces its way with `up` upright, if it follows a curve that is smooth
+    /// enough; where it has just turned at once, it does not.
+    ///
+    /// The heading turns about up and the climb about the level axis to the left.
+    fn heading(
+        &self,
+        motion: &Motion,
+        stretch: &Stretch<'_>,
+        [from, to]: [f64; 2],
+        up: DVec3,
+    ) -> Option<TurningRate> {
+        let (Course::Curve(curve), Kind::Along(journey)) = (&stretch.course, motion.kind()) else {
+            return None;
+        };
+        let u_at = |fraction: f64| curve.u_at(stretch.share_at(fraction));
+        let (enter, leave) = (u_at(from), u_at(to));
+        if (leave - enter).abs() <= f64::EPSILON {
+            return None;
+        }
+        let forward = curve.is_forward();
+        let speed = self.highest_speed(motion);
+        let sway = Section::of(curve.piece, [enter, leave], forward).sway(up)?;
+        let (tangent, bend) = curve.piece.heading(enter);
+        // The tangent that its pose was made from.
+        let facing = self.tangent_at(journey, from);
+        let jump = facing.distance(tangent);
+        if jump.is_nan() || jump > SMOOTH {
+            return None;
+        }
+        let left = up.cross(tangent);
+        let square = left.length_squared();
+        let per_metre = (bend.dot(left) * up - bend.dot(up) * left) / square;
+        let spin = if forward { speed } else { -speed } * per_metre;
+        spin.is_finite().then_some(TurningRate::About {
+            spin,
+            sway: sway.at_speed(speed),
+        })
     }
 }
 
 /// How a body turns on a window of a frame.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum TurningRate {
-    /// At this angular velocity.
-    Spin(DVec3),
+    /// At this angular velocity as the window begins, in radians per frame along the world's axes, and
+    /// with no more change of it, by time.
+    About { spin: DVec3, sway: Sway },
     /// About some axis, not faster than this.
     AtMost(f64),
 }

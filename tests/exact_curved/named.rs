@@ -1,7 +1,8 @@
 //! Curves with answers in closed form.
 
 use feeler::{
-    Body, CollisionWorld, Cuboid, FirstContactError, Method, Motion, Path, Sphere, first_contact,
+    Body, CollisionWorld, Cuboid, Facing, FirstContactError, Knots, Method, Motion, Path, Sphere,
+    first_contact,
 };
 use glam::{DQuat, DVec3};
 
@@ -134,7 +135,7 @@ fn what_runs_beside_ends_in_bounded_time() {
         let ring: Vec<DVec3> = [[4.0, 0.0], [0.0, 4.0], [-4.0, 0.0], [0.0, -4.0], [4.0, 0.0]]
             .map(|[x, y]| DVec3::new(x, y, height))
             .to_vec();
-        let path = Path::catmull_rom(ring, feeler::Knots::Uniform).unwrap();
+        let path = Path::catmull_rom(ring, Knots::Uniform).unwrap();
         let motion = Motion::along(path, 5.0).unwrap().looping().unwrap();
         for body in [
             Body::moving(Sphere::new(0.5).unwrap(), motion.clone()),
@@ -162,7 +163,7 @@ fn what_runs_beside_ends_in_bounded_time() {
                 [6.0, y, 3.0],
                 [9.0, y - 5.0, 0.0],
             ];
-            Path::catmull_rom(points, feeler::Knots::Uniform).unwrap()
+            Path::catmull_rom(points, Knots::Uniform).unwrap()
         };
         let ball = Sphere::new(0.5).unwrap();
         let body = |y: f64| Body::moving(ball, Motion::along(path(y), 1.0).unwrap());
@@ -175,5 +176,28 @@ fn what_runs_beside_ends_in_bounded_time() {
             matches!(found, Ok(None) | Err(FirstContactError::Undecided { .. })),
             "{found:?}"
         );
+    }
+}
+
+/// Level flight a millimetre above a floor was given up, when of turning with the path only the speed was known.
+#[test]
+fn who_faces_its_way_in_level_flight_passes_over_a_floor() {
+    let floor = Body::fixed(Cuboid::new([9.0, 9.0, 1.0]).unwrap(), [0.0; 3]);
+    let facing = Facing {
+        forward: DVec3::X,
+        up: DVec3::Z,
+        world_up: DVec3::Z,
+    };
+    for (above, touches) in [(1e-3, false), (1e-6, false), (-1e-3, true)] {
+        let height = 1.5 + above;
+        let ring = [[4.0, 0.0], [0.0, 3.0], [-4.0, 0.0], [0.0, -3.0], [4.0, 0.0]];
+        let ring = ring.map(|[x, y]| [x, y, height]);
+        let path = Path::catmull_rom(ring, Knots::Centripetal).unwrap();
+        let motion = Motion::along(path, 2.0)
+            .and_then(Motion::looping)
+            .and_then(|motion| motion.facing(facing));
+        let plane = Body::moving(Cuboid::new([0.7, 0.2, 0.5]).unwrap(), motion.unwrap());
+        let found = first_contact(&plane, &floor, 10.0, &Method::Exact);
+        assert_eq!(found.map(|found| found.is_some()), Ok(touches), "{above}");
     }
 }

@@ -1,7 +1,8 @@
 //! Bounds, one-sidedly: dense samples never exceed them.
 
 use super::Random;
-use crate::motion::{FrameMotion, Motion};
+use crate::motion::{FrameMotion, Motion, TurningRate};
+use glam::DVec3;
 
 const SAMPLES: u32 = 200;
 
@@ -68,4 +69,54 @@ fn envelopes_hold_the_carried_point() {
             );
         }
     }
+}
+
+/// By differences of orientations, which share nothing with the formulas.
+#[test]
+fn angular_velocities_change_no_more_than_bounded() {
+    let mut random = Random::seeded(7);
+    let (mut swaying, mut tight) = (0, 0);
+    for case in 0..4_000 {
+        let size = random.decades(-1.0, 1.0);
+        let motion = random.motion(size);
+        let orientation = random.turn();
+        let (frame, [from, to]) = frame(&mut random, &motion);
+        let stretch = frame.stretch_at(&motion, from);
+        let to = to.min(stretch.to);
+        let step = 1e-4 * (to - from);
+        let rate = frame.turning_rate(&motion, &stretch, from, to);
+        let TurningRate::About { spin, sway } = rate else {
+            continue;
+        };
+        let pose = |fraction| frame.pose_at(&motion, orientation, fraction).orientation;
+        let direction = DVec3::new(random.unit(), random.unit(), random.unit());
+        for share in 0..20 {
+            let gone = f64::from(share) / 20.0 * (to - from);
+            let (now, next) = (pose(from + gone), pose(from + gone + step));
+            let turn = next * now.conjugate();
+            let turn = if turn.w < 0.0 { -turn } else { turn };
+            let velocity = 2.0 / step * turn.xyz();
+            // It is that of half a step later, and rounded.
+            let time = gone + step;
+            let speed = spin.length() + time * sway.most();
+            let rounding = 1e-11 / step + 1e-6 * speed + (speed * step).powi(2) * speed;
+            let change = velocity - spin;
+            assert!(
+                change.length() <= time * sway.most() + rounding,
+                "case {case}: {change} beyond {} of {spin}, {motion:?}",
+                time * sway.most()
+            );
+            assert!(
+                direction.cross(change).length()
+                    <= time * sway.across(direction) + rounding * direction.length(),
+                "case {case}: {change} across {direction}, {motion:?}"
+            );
+            if sway.most() > 0.0 && share == 19 {
+                swaying += 1;
+                tight += u32::from(change.length() > 0.1 * time * sway.most());
+            }
+        }
+    }
+    assert!(swaying > 200, "only {swaying} change");
+    assert!(tight > 20, "bounds are loose: {tight} of {swaying}");
 }

@@ -7,6 +7,7 @@ use super::meeting::{Meeting, meet, strike};
 use super::parting::Parted;
 use super::planes::{Nearest, Place, Planes, TurningBall, TurningBoxes};
 use super::window::{Parabola, Plane, Side, Window};
+use crate::curve::Sway;
 use crate::geometry::Shape;
 use crate::motion::{Bend, Stretch, TurningRate};
 use crate::narrow_phase::distance::closest_points;
@@ -214,16 +215,18 @@ impl<'a, P: Planes> Search<'_, 'a, P> {
             self.planes.turn(&a, &b);
         }
         let found = self.planes.part(between);
-        let (passages, spins, turning) = self.rates();
+        let (passages, spins, sways, turning) = self.rates();
         let window = Window {
             a: Side {
                 instant: &a,
                 spin: spins[0],
+                sway: sways[0],
                 arm: self.a.arm,
             },
             b: Side {
                 instant: &b,
                 spin: spins[1],
+                sway: sways[1],
                 arm: self.b.arm,
             },
             offset,
@@ -308,20 +311,22 @@ impl<'a, P: Planes> Search<'_, 'a, P> {
         }
     }
 
-    /// How both hubs go on, angular velocities, and what else turning may do at most.
-    fn rates(&self) -> (Passages, [DVec3; 2], f64) {
+    /// How both hubs go on, angular velocities with what they change, and what else turning may do at most.
+    fn rates(&self) -> (Passages, [DVec3; 2], [Sway; 2], f64) {
         let mut longest = self.longest;
         loop {
             let passages = self.passages(longest);
             let mut turning = 0.0;
             let mut spins = [DVec3::ZERO; 2];
-            for (spin, flight) in spins.iter_mut().zip([self.a, self.b]) {
+            let mut sways = [Sway::NONE; 2];
+            for (side, flight) in [self.a, self.b].into_iter().enumerate() {
                 if flight.turns() {
-                    let rate = flight
-                        .frame
-                        .turning_rate(flight.motion, self.time, passages.to);
+                    let (frame, stretch) = (flight.frame, &self.stretches[side]);
+                    let rate = frame.turning_rate(flight.motion, stretch, self.time, passages.to);
                     match rate {
-                        TurningRate::Spin(rate) => *spin = rate,
+                        TurningRate::About { spin, sway } => {
+                            (spins[side], sways[side]) = (spin, sway);
+                        }
                         TurningRate::AtMost(rate) => turning += rate * flight.arm,
                     }
                 }
@@ -332,7 +337,7 @@ impl<'a, P: Planes> Search<'_, 'a, P> {
                 longest = 0.25 * passages.length;
                 continue;
             }
-            return (passages, spins, turning);
+            return (passages, spins, sways, turning);
         }
     }
 
@@ -356,12 +361,11 @@ impl<'a, P: Planes> Search<'_, 'a, P> {
         }
         if by <= 0.0 {
             // Nobody is faster than this.
-            let turning = |side: &Side<'_, '_>| side.arm * side.spin.length();
             let speed = self.a.speed
                 + self.b.speed
                 + window.turning
-                + turning(&window.a)
-                + turning(&window.b);
+                + window.a.fastest(window.length)
+                + window.b.fastest(window.length);
             by = (0.5 * distance / speed).min(window.length);
         }
         self.longest = if by < 0.25 * window.length {

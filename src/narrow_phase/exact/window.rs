@@ -1,6 +1,7 @@
 //! How long a plane parts two bodies for certain.
 
 use super::flight::{Heights, Instant};
+use crate::curve::Sway;
 use crate::motion::Bend;
 use glam::DVec3;
 
@@ -18,10 +19,36 @@ pub(super) struct Plane {
 #[derive(Clone, Copy)]
 pub(super) struct Side<'w, 'a> {
     pub(super) instant: &'w Instant<'a>,
-    /// Angular velocity, radians per frame.
+    /// Angular velocity as the window begins, radians per frame.
     pub(super) spin: DVec3,
+    /// How much that changes at most, per frame.
+    pub(super) sway: Sway,
     /// No vertex of the core is farther from the axis, in metres.
     pub(super) arm: f64,
+}
+
+impl Side<'_, '_> {
+    /// How fast turning moves a point of the core at most within `length`, metres per frame.
+    pub(super) fn fastest(&self, length: f64) -> f64 {
+        self.arm * (self.spin.length() + length * self.sway.most())
+    }
+
+    /// Upper bound of the share along `direction` of the acceleration that turning gives a point of the core
+    /// within `length`.
+    ///
+    /// With the angular velocity `ω`, that of a point `a` seen from the hub is `ω×(ω×a) + ω'×a`, and
+    /// `d·(ω×(ω×a)) = (d×ω)·(ω×a)`.
+    fn acceleration(&self, direction: DVec3, length: f64) -> f64 {
+        // One root instead of two.
+        let cross = self.spin.cross(direction).length_squared();
+        let even = (self.spin.length_squared() * cross).sqrt();
+        if self.sway.most() <= 0.0 {
+            return self.arm * even;
+        }
+        let (gain, across) = (length * self.sway.most(), self.sway.across(direction));
+        let fastest = self.spin.length() + gain;
+        self.arm * (even + gain * cross.sqrt() + (1.0 + fastest * length) * across)
+    }
 }
 
 /// Two bodies on a window of a frame.
@@ -137,11 +164,7 @@ impl<'a> Window<'_, 'a> {
     /// `M`.
     fn bend(&self, plane: &Plane, length: f64) -> f64 {
         let curved = |direction: DVec3| {
-            let turned = |side: &Side<'_, '_>| {
-                // One root instead of two.
-                let cross = side.spin.cross(direction).length_squared();
-                side.arm * (side.spin.length_squared() * cross).sqrt()
-            };
+            let turned = |side: &Side<'_, '_>| side.acceleration(direction, length);
             self.acceleration(direction) + turned(&self.a) + turned(&self.b)
         };
         let turn = plane.turn;
