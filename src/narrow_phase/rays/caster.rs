@@ -210,6 +210,7 @@ impl RayCaster {
     /// Casts the first rays and finds the shortest, and the shortest from an edge.
     fn cast_all(&mut self, facing: &Facing<'_>) -> [Option<Shortest>; 2] {
         let (mut best, mut best_edge) = (None::<Shortest>, None::<Shortest>);
+        let margin = PREFERENCE * facing.size();
         for behind in [false, true] {
             let starts = if behind { &self.behind } else { &self.ahead };
             if behind {
@@ -217,7 +218,13 @@ impl RayCaster {
             } else {
                 gaps_ahead(starts, &facing.shadow_b, &mut self.gaps);
             }
+            let surface = starts.surface();
             for (index, &gap) in self.gaps.iter().enumerate() {
+                let beaten = best.is_some_and(|best| best.gap < gap - margin);
+                // Most rays are longer than one before them.
+                if beaten && index < surface {
+                    continue;
+                }
                 // A NaN, a miss, fails the comparison.
                 if gap >= -facing.touch {
                     let origin = starts.origin(index);
@@ -227,8 +234,7 @@ impl RayCaster {
                         origin,
                         behind,
                     };
-                    if best.is_some_and(|best| best.gap < gap - PREFERENCE * facing.size())
-                        && !matches!(origin, Origin::Edge { .. })
+                    if beaten && !matches!(origin, Origin::Edge { .. })
                         || !facing.is_in_front(behind, found.at.extend(starts.zs[index]))
                     {
                         continue;
@@ -251,7 +257,10 @@ impl RayCaster {
         rays: &mut u64,
     ) -> Option<Shortest> {
         let mut best = best?;
-        if self.config.refinement == Refinement::None {
+        // Of two balls the aimed ray that none is shorter than was among the first.
+        let balls = facing.shadow_a.disc().is_some() && facing.shadow_b.disc().is_some();
+        let found = balls && self.config.placement == Placement::Aimed;
+        if found || self.config.refinement == Refinement::None {
             return Some(best);
         }
         let first = first_rays(&self.config);

@@ -187,31 +187,40 @@ impl<'a> Shadow<'a> {
     /// Where lines through `(xs[i], ys[i])` enter or leave the body; NaN where they miss it.
     pub(super) fn depths(&self, side: Side, xs: &[f64], ys: &[f64], out: &mut Vec<f64>) {
         out.clear();
-        out.extend(
-            xs.iter()
-                .zip(ys)
-                .map(|(&x, &y)| self.depth(side, DVec2::new(x, y))),
-        );
+        let points = xs.iter().zip(ys).map(|(&x, &y)| DVec2::new(x, y));
+        match self.surface {
+            // Without a branch inside, so that the compiler does several points at a time.
+            Surface::Ball { radius } => {
+                let sign = side.sign();
+                out.extend(points.map(|point| self.ball_depth(radius, sign, point)));
+            }
+            Surface::Facets(_) | Surface::Flat(_) => {
+                out.extend(points.map(|point| self.depth(side, point)));
+            }
+        }
     }
 
     /// Where the line through a point enters or leaves the body; NaN where it misses it.
     #[inline]
     pub(super) fn depth(&self, side: Side, point: DVec2) -> f64 {
         if let Surface::Ball { radius } = self.surface {
-            let squared = radius * radius - (point - self.centre.truncate()).length_squared();
-            // Below the slack the root is of a negative number: NaN, a miss.
-            let grazing = squared < 0.0 && squared >= -2.0 * radius * self.slack;
-            let height = if grazing { 0.0 } else { squared.sqrt() };
-            return match side {
-                Side::Near => self.centre.z - height,
-                Side::Far => self.centre.z + height,
-            };
+            return self.ball_depth(radius, side.sign(), point);
         }
         match (self.span(point.x, point.y), side) {
             (Some((near, _)), Side::Near) => near,
             (Some((_, far)), Side::Far) => far,
             (None, _) => f64::NAN,
         }
+    }
+
+    /// [`depth`](Self::depth) of a ball, by the sign of the side.
+    #[inline]
+    fn ball_depth(&self, radius: f64, sign: f64, point: DVec2) -> f64 {
+        let squared = radius * radius - (point - self.centre.truncate()).length_squared();
+        let grazing = squared < 0.0 && squared >= -2.0 * radius * self.slack;
+        // Below the slack the root is of a negative number: NaN, a miss.
+        let height = if grazing { 0.0 } else { squared }.sqrt();
+        self.centre.z + sign * height
     }
 
     /// Where the line through `(x, y)` enters and leaves the body.
@@ -290,6 +299,16 @@ pub(super) enum Side {
     Near,
     /// Where it leaves.
     Far,
+}
+
+impl Side {
+    /// −1 for where a line enters a ball, seen from its centre, 1 for where it leaves.
+    fn sign(self) -> f64 {
+        match self {
+            Self::Near => -1.0,
+            Self::Far => 1.0,
+        }
+    }
 }
 
 impl Facets {

@@ -45,10 +45,14 @@ impl Starts {
         self.xs.len()
     }
 
+    /// How many of the points, the first, are points of the surface.
+    pub(super) fn surface(&self) -> usize {
+        self.len() - self.origins.len()
+    }
+
     pub(super) fn origin(&self, index: usize) -> Origin {
-        let surface = self.len() - self.origins.len();
         index
-            .checked_sub(surface)
+            .checked_sub(self.surface())
             .and_then(|index| self.origins.get(index).copied())
             .unwrap_or(Origin::Area)
     }
