@@ -67,15 +67,20 @@ impl Line {
 /// direction zero.
 #[inline(always)]
 pub(crate) fn scale(origin: DVec3, direction: DVec3) -> Option<f64> {
-    // A NaN fails these comparisons.
-    let plain = PLAIN_SQUARES.contains(&direction.length_squared())
-        && origin.length_squared() <= MAX_ORIGIN * MAX_ORIGIN;
     // By value: a reference would send the vectors through memory in the usual case as well.
-    if plain {
+    if is_plain(origin, direction) {
         Some(1.0)
     } else {
         rescaled(origin, direction)
     }
+}
+
+/// Whether a ray can be computed with as it is.
+#[inline(always)]
+pub(crate) fn is_plain(origin: DVec3, direction: DVec3) -> bool {
+    // A NaN fails these comparisons.
+    PLAIN_SQUARES.contains(&direction.length_squared())
+        && origin.length_squared() <= MAX_ORIGIN * MAX_ORIGIN
 }
 
 #[cold]

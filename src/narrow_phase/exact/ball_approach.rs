@@ -60,7 +60,9 @@ impl Approach {
 pub(super) fn enter(from: DVec3, along: f64, half: f64, square: f64, radius: f64) -> f64 {
     if along > 0.0 {
         // Of a graze from touch both terms are rounding; it is no later than the middle.
-        (power(from, radius) / (along + half)).min(along / square)
+        let (soon, middle) = (power(from, radius) / (along + half), along / square);
+        // Unlike `f64::min` this need not look for NaN, of which there is none.
+        if middle < soon { middle } else { soon }
     } else {
         (along - half) / square
     }
@@ -71,7 +73,8 @@ pub(super) fn enter(from: DVec3, along: f64, half: f64, square: f64, radius: f64
 /// One of Newton's steps instead of a root: off by the square of what the length is off.
 #[inline]
 pub(super) fn normal(away: DVec3, radius: f64) -> DVec3 {
-    let rough = away / radius;
+    // The quotient is ready before `away` is, which has waited for a root.
+    let rough = away * (1.0 / radius);
     let square = rough.length_squared();
     // False for NaN too.
     if (square - 1.0).abs() < 1e-8 {

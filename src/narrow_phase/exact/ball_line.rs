@@ -2,7 +2,7 @@
 
 use super::{Crossing, Touching};
 use crate::geometry::Feature;
-use crate::raycast::{GRAZE, scale};
+use crate::raycast::{GRAZE, is_plain, scale};
 use glam::{DMat3, DVec3};
 
 /// A line in the frame of the body that stands, with a direction whose square neither
@@ -38,6 +38,17 @@ impl Line {
             direction,
             square: direction.length_squared(),
             scale,
+        })
+    }
+
+    /// The line, if it needs no rescaling.
+    #[inline(always)]
+    pub(super) fn plain(origin: DVec3, direction: DVec3) -> Option<Self> {
+        is_plain(origin, direction).then(|| Self {
+            origin,
+            direction,
+            square: direction.length_squared(),
+            scale: 1.0,
         })
     }
 
