@@ -67,7 +67,7 @@ impl RayCast for Sphere {
 #[inline]
 pub(crate) fn power(point: DVec3, radius: f64) -> f64 {
     let power = point.length_squared() - radius * radius;
-    if power.abs() > 1e-12 * radius * radius {
+    if power.abs() > 1e-12 * (radius * radius) {
         power
     } else {
         near_surface(point, radius)

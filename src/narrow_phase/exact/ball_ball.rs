@@ -46,7 +46,12 @@ pub(crate) fn two_balls(
     // Most lines need no rescaling. Whoever passes vectors on sends them through memory in the
     // usual case as well, at a third of the cost: hence single numbers.
     match Line::plain(-between, motion) {
-        Some(line) => line.touching(of_ball(&line, radii)?),
+        Some(line) => {
+            let touch = of_ball(&line, radii)?;
+            // Within such bounds all is finite.
+            let fraction = touch.fraction;
+            Some(touch.at(fraction))
+        }
         None => rescaled(
             radii, between.x, between.y, between.z, motion.x, motion.y, motion.z,
         ),
@@ -69,6 +74,12 @@ fn rescaled(
     let line = Line::new(-between, DVec3::new(along_x, along_y, along_z))?;
     line.touching(of_ball(&line, radii)?)
 }
+
+/// Squared distance, in radii, up to which `away` is as long as it should be but for 4 ulp.
+///
+/// Its square is the sum of both terms' of `room`, less that of `moment · direction` which rounding
+/// leaves: 1e-31 of the squared distance.
+const NEAR: f64 = 1e12;
 
 /// Two balls of these radii.
 ///
@@ -93,7 +104,11 @@ pub(super) fn of_ball(line: &Line, radii: [f64; 2]) -> Option<Touch> {
     // From the closest point: `origin + enter · direction` would lose the digits of a far
     // origin twice.
     let away = direction.cross(moment) - half * direction;
-    let normal = normal(away, radius * square);
+    let normal = if room >= 0.0 && origin.length_squared() <= NEAR * (radius * radius) {
+        away * (1.0 / (radius * square))
+    } else {
+        normal(away, radius * square)
+    };
     Some(Touch {
         fraction: enter(origin, -origin.dot(direction), half, square, radius),
         foot: radii[1] * normal,

@@ -106,12 +106,7 @@ impl Line {
     #[inline(always)]
     pub(super) fn touching(&self, touch: Touch) -> Option<Touching> {
         let fraction = touch.fraction * self.scale;
-        fraction.is_finite().then_some(Touching {
-            fraction,
-            point: touch.foot,
-            normal: touch.normal,
-            features: [Feature::Surface, touch.feature],
-        })
+        fraction.is_finite().then_some(touch.at(fraction))
     }
 
     /// A crossing, from what the line touches first and what it does when run backwards.
@@ -124,5 +119,18 @@ impl Line {
             enter,
             leave: leave.max(enter.fraction),
         })
+    }
+}
+
+impl Touch {
+    /// As a ball's touch, at this fraction of the motion.
+    #[inline(always)]
+    pub(super) fn at(self, fraction: f64) -> Touching {
+        Touching {
+            fraction,
+            point: self.foot,
+            normal: self.normal,
+            features: [Feature::Surface, self.feature],
+        }
     }
 }
