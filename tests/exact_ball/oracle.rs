@@ -189,7 +189,11 @@ impl Surface {
                 normal,
                 foot: near(foot),
                 feature: feature.filter(|_| {
-                    (1e-6..1.0 - 1e-6).contains(&first.0)
+                    // Beside a vertex the edge is touched earlier than that by the square of what is
+                    // between over twice the radius, which may be less than coordinates tell.
+                    let told = 8.0 * f64::EPSILON * dot(start, start).sqrt().0 * radius.0;
+                    let margin = 1e-6 + (told / square.0).sqrt();
+                    (margin..1.0 - margin).contains(&first.0)
                         && self.leans_off_faces(normal, [*from, *to])
                 }),
             });
