@@ -5,6 +5,7 @@ use super::crossing::{Crossing, Touching};
 use super::faces;
 use super::pair::Pair;
 use super::portal::{Found, Probe, Shadow};
+use super::rough::{self, Rough};
 use super::snap::{Place, Touch};
 use crate::geometry::Shape;
 use glam::{DQuat, DVec3};
@@ -209,6 +210,15 @@ fn touch(pair: &Pair) -> Option<Touch> {
     if pair.is_flat() {
         let (normal, time) = faces::entry(pair)?;
         return Some(careful(pair, normal, time));
+    }
+    match rough::search(pair) {
+        Rough::Miss => return None,
+        Rough::Near(probes) => {
+            if let Some(touch) = pair.prove(probes) {
+                return Some(touch);
+            }
+        }
+        Rough::Unclear => {}
     }
     let mut shadow = Shadow::new(pair);
     let found = match shadow.enclose() {
