@@ -2,7 +2,7 @@
 //!
 //! The search of [`portal`](super::portal) over again, with all vertices turned into the ray's frame
 //! beforehand: a farthest vertex then costs a handful of instructions, and its place is at hand.
-//! What is found is a guess for [`settle`](super::settle) to prove; only that
+//! What is found is a guess that has yet to be [proven](super::proof); only that
 //! the ray passes by is proven here, by a margin that rounding cannot reach.
 
 use super::body::Body;
@@ -312,5 +312,62 @@ impl Frame {
     #[inline(always)]
     fn seen(&self, vector: Vector) -> Vector {
         self.0.map(|axis| dot(axis, vector))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::{Cuboid, Polytope};
+    use glam::DQuat;
+    use rand_chacha::ChaCha8Rng;
+    use rand_chacha::rand_core::{Rng, SeedableRng};
+    use std::error::Error;
+
+    fn vector(rng: &mut ChaCha8Rng) -> DVec3 {
+        let mut number = || (rng.next_u64() >> 11) as f64 / (1_u64 << 52) as f64 - 1.0;
+        DVec3::new(number(), number(), number())
+    }
+
+    fn turn(rng: &mut ChaCha8Rng) -> DQuat {
+        let (axis, angle) = (vector(rng).normalize_or(DVec3::X), 3.0 * vector(rng).x);
+        DQuat::from_axis_angle(axis, angle)
+    }
+
+    /// The careful search would hide it if the rough one were of no use.
+    #[test]
+    fn hardly_a_cast_is_left_to_the_careful_search() -> Result<(), Box<dyn Error>> {
+        let mut rng = ChaCha8Rng::seed_from_u64(12);
+        let (mut proven, mut missed, mut left) = (0, 0, 0);
+        for number in 0..2000 {
+            let mut hull = |count: usize| -> Result<Shape, Box<dyn Error>> {
+                let points: Vec<DVec3> = (0..count).map(|_| vector(&mut rng)).collect();
+                Ok(Polytope::from_points(points)?.into())
+            };
+            let a = hull(if number % 2 == 0 { 12 } else { 24 })?;
+            let b = if number % 3 == 0 {
+                Cuboid::new([0.5, 1.0, 0.7])?.into()
+            } else {
+                hull(12)?
+            };
+            let (turn_a, turn_b) = (turn(&mut rng), turn(&mut rng));
+            let (offset, motion) = (vector(&mut rng), vector(&mut rng));
+            let pair = Pair::new((&a, turn_a), (&b, turn_b), 2.0 * offset, motion)
+                .ok_or("neither is a ball")?;
+            if pair.spheres_miss() {
+                continue;
+            }
+            match search(&pair) {
+                Rough::Miss => missed += 1,
+                Rough::Near(probes) if pair.prove(probes).is_some() => proven += 1,
+                _ => left += 1,
+            }
+        }
+        assert!(proven > 800 && missed > 100, "{proven} {missed} {left}");
+        assert!(
+            left < 40,
+            "{left} of {proven} are left to the careful search"
+        );
+        Ok(())
     }
 }
