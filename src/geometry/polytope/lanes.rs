@@ -3,18 +3,11 @@
 use glam::DVec3;
 
 /// Vertices compared at once: a register of SSE2.
-const WIDTH: usize = 4;
+pub(crate) const WIDTH: usize = 4;
 
-/// Heights are rounded to multiples of this, and their last bits tell the number of the vertex: the
-/// largest of them tells both.
-const STEP: f32 = 1.0 / (1 << 15) as f32;
-
-/// Adding and subtracting it rounds a number to multiples of [`STEP`].
-const ROUNDER: f32 = 1.5 * (1 << 23) as f32 * STEP;
-
-/// Heights are below 2, where they are multiples of this: up to 128 numbers fit in a [`STEP`].
-const NUMBER: f32 = 1.0 / (1 << 22) as f32;
-const NUMBERS: u32 = 128;
+/// The last bits of a height, which are of no account, tell the number of the vertex: the largest of
+/// them tells both.
+const NUMBER: u32 = 31;
 
 /// Four vertices as seen from the centre, in shares of the largest distance from there; places left
 /// over hold NaN, which is never farthest.
@@ -38,14 +31,21 @@ impl PartialEq for Lanes {
 }
 
 impl Lanes {
+    /// A place for vertices.
+    pub(crate) const NONE: Self = Self {
+        x: [0.0; WIDTH],
+        y: [0.0; WIDTH],
+        z: [0.0; WIDTH],
+    };
+
     /// Up to this many vertices are worth comparing one and all; of more, climbing finds the
     /// farthest sooner. Measured by `benches/exact_flat.rs`; only time depends on it.
     pub(crate) const FEW: usize = 24;
 
     /// By how much less than the farthest vertex the one found may reach along a direction, in
-    /// shares of the largest distance and of the direction's length: two heights, each rounded to 2e-5
-    /// where the direction is at least 0.5 long.
-    pub(crate) const ERROR: f64 = 1e-4;
+    /// shares of the largest distance and of the direction's length: two heights, each off by 4e-6 at
+    /// most.
+    pub(crate) const ERROR: f64 = 2e-5;
 
     /// What lies lower by this share in [`stand_out`](Self::stand_out) does so for certain, by nearly
     /// as much.
@@ -54,16 +54,50 @@ impl Lanes {
     /// Vertices as seen from `centre`, none of which is farther from there than `radius`.
     pub(super) fn list(vertices: &[DVec3], centre: DVec3, radius: f64) -> Vec<Self> {
         let lanes = |four: &[DVec3]| {
-            let share: [DVec3; WIDTH] = std::array::from_fn(|lane| {
+            Self::of(std::array::from_fn(|lane| {
                 (four.get(lane)).map_or(DVec3::NAN, |&vertex| (vertex - centre) / radius)
-            });
-            Self {
-                x: share.map(|v| v.x as f32),
-                y: share.map(|v| v.y as f32),
-                z: share.map(|v| v.z as f32),
-            }
+            }))
         };
         vertices.chunks(WIDTH).map(lanes).collect()
+    }
+
+    /// Four vertices in shares of the largest distance.
+    #[inline]
+    pub(crate) fn of(vertices: [DVec3; WIDTH]) -> Self {
+        Self {
+            x: vertices.map(|v| v.x as f32),
+            y: vertices.map(|v| v.y as f32),
+            z: vertices.map(|v| v.z as f32),
+        }
+    }
+
+    /// The corners of a box whose half extents are these shares, in the order of their numbers.
+    #[inline]
+    pub(crate) fn of_box(half: DVec3) -> [Self; 2] {
+        let [x, y, z] = half.to_array().map(|x| x as f32);
+        [-z, z].map(|z| Self {
+            x: [-x, x, -x, x],
+            y: [-y, -y, y, y],
+            z: [z; WIDTH],
+        })
+    }
+
+    /// The vertices turned by a matrix of these columns, then shifted.
+    #[inline(always)]
+    pub(crate) fn turned(&self, [u, v, w]: &[[f32; 3]; 3], shift: [f32; 3]) -> Self {
+        let row = |axis: usize| {
+            std::array::from_fn(|lane| {
+                u[axis] * self.x[lane]
+                    + v[axis] * self.y[lane]
+                    + w[axis] * self.z[lane]
+                    + shift[axis]
+            })
+        };
+        Self {
+            x: row(0),
+            y: row(1),
+            z: row(2),
+        }
     }
 
     #[inline]
@@ -77,23 +111,37 @@ impl Lanes {
     pub(crate) fn farthest(list: &[Self], direction: DVec3) -> u32 {
         let direction = (power_of_two_for(direction) * direction).to_array();
         let direction = direction.map(|x| x as f32);
+        Self::highest(list, direction)
+    }
+
+    /// The number of a vertex that is farthest along a direction to within 8e-6 of its length; some
+    /// vertex if products of the coordinates are out of the range of `f32`.
+    #[inline(always)]
+    pub(crate) fn highest(list: &[Self], [x, y, z]: [f32; 3]) -> u32 {
+        let higher = |a: f32, b: f32| if b > a { b } else { a };
         let mut most = [f32::NEG_INFINITY; WIDTH];
-        let mut numbers: [f32; WIDTH] = std::array::from_fn(|lane| lane as f32 * NUMBER);
+        let mut numbers: [u32; WIDTH] = std::array::from_fn(|lane| lane as u32);
         for lanes in list {
-            let heights = lanes.heights(direction);
             for lane in 0..WIDTH {
-                let height = (heights[lane] + ROUNDER) - ROUNDER + numbers[lane];
-                most[lane] = if height > most[lane] {
-                    height
-                } else {
-                    most[lane]
-                };
-                numbers[lane] += WIDTH as f32 * NUMBER;
+                let height = x * lanes.x[lane] + y * lanes.y[lane] + z * lanes.z[lane];
+                // Adding nothing keeps the comparison one of floats: a single instruction.
+                let height = f32::from_bits(height.to_bits() & !NUMBER | numbers[lane]) + 0.0;
+                most[lane] = higher(most[lane], height);
+                numbers[lane] += WIDTH as u32;
             }
         }
-        let upper = |a: f32, b: f32| if b > a { b } else { a };
-        let most = upper(upper(most[0], most[1]), upper(most[2], most[3]));
-        (most * (1.0 / NUMBER)) as i32 as u32 % NUMBERS
+        let most = higher(higher(most[0], most[2]), higher(most[1], most[3]));
+        most.to_bits() & NUMBER
+    }
+
+    /// Where a vertex is.
+    #[inline(always)]
+    pub(crate) fn place(list: &[Self], vertex: u32) -> [f32; 3] {
+        let lane = vertex as usize % WIDTH;
+        match list.get(vertex as usize / WIDTH) {
+            Some(lanes) => [lanes.x[lane], lanes.y[lane], lanes.z[lane]],
+            None => [0.0; 3],
+        }
     }
 
     /// Whether all vertices but these for certain lie lower along a unit vector.

@@ -22,7 +22,7 @@ use face_map::FaceMap;
 use faces::Faces;
 use glam::DVec3;
 use hull::convex_hull;
-pub(crate) use lanes::Lanes;
+pub(crate) use lanes::{Lanes, WIDTH as LANES};
 use support::Support;
 use topology::{Lists, vertex_neighbours};
 

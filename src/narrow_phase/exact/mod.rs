@@ -40,6 +40,8 @@ mod parting;
 mod patch;
 mod planes;
 mod portal;
+mod proof;
+mod rough;
 mod settle;
 mod slab;
 mod snap;

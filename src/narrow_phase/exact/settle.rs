@@ -7,17 +7,17 @@ use crate::geometry::Feature;
 use glam::DVec3;
 
 /// Squared sine between two edges below which `snap` computes their normal with more care.
-const PARALLEL: f64 = 1e-4;
+pub(super) const PARALLEL: f64 = 1e-4;
 
 /// The different ones of three numbers.
-enum Different {
+pub(super) enum Different {
     One(u32),
     Two([u32; 2]),
     Three([u32; 3]),
 }
 
 impl Different {
-    fn of([p, q, r]: [u32; 3]) -> Self {
+    pub(super) fn of([p, q, r]: [u32; 3]) -> Self {
         match (p == q, q == r, r == p) {
             (true, true, _) => Self::One(p),
             (true, false, _) | (false, true, _) => Self::Two([p, r]),
