@@ -25,7 +25,7 @@ struct Entry {
 }
 
 /// At most seven pieces.
-#[inline]
+#[inline(always)]
 pub(super) fn of_cuboid(line: &Line, cuboid: &Cuboid, radius: f64) -> Option<Touch> {
     let half_extents = cuboid.half_extents();
     let slack = line.slack(half_extents.max_element() + radius);
