@@ -54,6 +54,50 @@ impl<'a> Hull<'a> {
         self.rotation * (local.unwrap_or(self.centre) - self.centre)
     }
 
+    /// A vertex as seen from the centre, in its own frame.
+    #[inline]
+    pub(super) fn local_from_centre(&self, index: usize) -> Option<DVec3> {
+        self.mesh.vertices.get(index).map(|&local| local - self.centre)
+    }
+
+    /// How it is turned.
+    pub(super) fn rotation(&self) -> DMat3 {
+        self.rotation
+    }
+
+    /// Hands each face's normal, in its own frame, and how far the face lies from the centre, to
+    /// `tell` with a place for what becomes of them. Triangles have no faces in this sense.
+    #[inline]
+    pub(super) fn for_each_plane<P>(
+        &self,
+        places: impl Iterator<Item = P>,
+        mut tell: impl FnMut(DVec3, f64, P),
+    ) {
+        match self.shape {
+            Shape::Sphere(_) | Shape::Triangle(_) => {}
+            Shape::Cuboid(cuboid) => {
+                for (face, place) in (0..6).zip(places) {
+                    let side = if face & 1 == 1 { 1.0 } else { -1.0 };
+                    let half = cuboid.half_extents()[face / 2];
+                    tell(side * DVec3::AXES[face / 2], half, place);
+                }
+            }
+            Shape::Polytope(polytope) => {
+                let planes = polytope.face_normals().iter().zip(polytope.face_offsets());
+                for ((&normal, offset), place) in planes.zip(places) {
+                    tell(normal, offset - normal.dot(self.centre), place);
+                }
+            }
+        }
+    }
+
+    /// How far, in metres, a point of a face may lie below the plane that
+    /// [`for_each_plane`](Self::for_each_plane) tells: a face may be dented by rounding of its coordinates,
+    /// which may be large beside its size.
+    pub(super) fn plane_error(&self) -> f64 {
+        1e-10 * self.radius + 256.0 * f64::EPSILON * self.centre.abs().max_element()
+    }
+
     /// From an edge's first vertex to its second; not of unit length.
     pub(super) fn edge_vector(&self, edge: &Edge) -> DVec3 {
         let [from, to] = edge
