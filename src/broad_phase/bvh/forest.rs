@@ -31,6 +31,13 @@ impl LeafId {
     };
 }
 
+/// Of no body.
+impl Default for LeafId {
+    fn default() -> Self {
+        Self::NOWHERE
+    }
+}
+
 /// A body of a [`Bvh`].
 #[derive(Debug, Clone, Copy)]
 pub struct Leaf<'a, T> {

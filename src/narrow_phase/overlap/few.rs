@@ -16,11 +16,15 @@ use glam::{DMat3, DVec3};
 /// three edges meet at each.
 const EDGES: usize = 48;
 const FACES: usize = 32;
-const VERTICES: usize = 32;
+const VERTICES: usize = ROWS * LANES;
 
 /// Vertices looked at together: a register of SSE2.
 const LANES: usize = 4;
-const ROWS: usize = VERTICES / LANES;
+const ROWS: usize = 8;
+
+/// What hulls of up to 12 vertices need of rows, and what faces these can have: less room to fill.
+const SMALL_ROWS: usize = 3;
+const SMALL_FACES: usize = 20;
 
 /// What rounding to single precision may do to a width, as a share of the radii and the offset
 /// together.
@@ -44,11 +48,8 @@ pub(super) fn are_few(pair: &Pair) -> bool {
 /// A vector for each of four vertices, coordinate by coordinate.
 type Row = [[f32; LANES]; 3];
 
-/// A number for each vertex.
-type Heights = [[f32; LANES]; ROWS];
-
 /// One hull's part in the Minkowski difference, roughly: B as seen from its centre, or A turned round.
-struct Side {
+struct Side<const ROWS: usize, const FACES: usize> {
     /// Vertices; the last fill up with the first.
     vertices: [Row; ROWS],
     /// Normals of the faces.
@@ -56,7 +57,6 @@ struct Side {
     /// How far each face lies from the centre, less how far the offset of the two centres
     /// leads along its normal: what the pair is wide there beside the other hull's part.
     beyond: [f32; FACES],
-    rows: usize,
     faces: usize,
 }
 
@@ -81,7 +81,7 @@ fn largest([a, b, c, d]: [f32; LANES]) -> f32 {
     upper(upper(a, b), upper(c, d))
 }
 
-impl Side {
+impl<const ROWS: usize, const FACES: usize> Side<ROWS, FACES> {
     /// As seen along the axes of its own, turned by `turn`; `offset` in the frame it is turned to.
     #[inline]
     fn new(hull: &Hull, turn: impl Fn([f32; 3]) -> [f32; 3], offset: [f32; 3]) -> Self {
@@ -89,11 +89,10 @@ impl Side {
             vertices: [[[0.0; LANES]; 3]; ROWS],
             normals: [[0.0; 3]; FACES],
             beyond: [0.0; FACES],
-            rows: hull.vertex_count().div_ceil(LANES).min(ROWS),
             faces: (hull.face_count() as usize).min(FACES),
         };
         let mut first = None;
-        for vertex in 0..side.rows * LANES {
+        for vertex in 0..ROWS * LANES {
             let point = match (hull.local_from_centre(vertex), first) {
                 (Some(local), _) => turn(single(local)),
                 (None, Some(first)) => first,
@@ -116,10 +115,10 @@ impl Side {
     /// What the pair is at least wide along a normal of the other side, by each of the vertices
     /// here; the largest of these numbers, too.
     #[inline]
-    fn widths(&self, normal: [f32; 3], beyond: f32, widths: &mut Heights) -> f32 {
+    fn widths(&self, normal: [f32; 3], beyond: f32, widths: &mut [[f32; LANES]; ROWS]) -> f32 {
         let [x, y, z] = normal;
         let mut tops = [f32::NEG_INFINITY; LANES];
-        for (widths, [xs, ys, zs]) in widths.iter_mut().zip(&self.vertices).take(self.rows) {
+        for (widths, [xs, ys, zs]) in widths.iter_mut().zip(&self.vertices) {
             for lane in 0..LANES {
                 let width = beyond + (x * xs[lane] + y * ys[lane] + z * zs[lane]);
                 widths[lane] = width;
@@ -131,80 +130,80 @@ impl Side {
 }
 
 /// What the pair is at least wide along the normals of one side's faces.
-struct Bounds {
+struct Bounds<const ROWS: usize, const FACES: usize> {
     /// By each of the other side's vertices.
-    widths: [Heights; FACES],
+    widths: [[[f32; LANES]; ROWS]; FACES],
     /// By all of them.
     tops: [f32; FACES],
-    rows: usize,
 }
 
-impl Bounds {
-    #[inline]
-    fn new(side: &Side, other: &Side) -> Self {
-        let mut bounds = Self {
+impl<const ROWS: usize, const FACES: usize> Bounds<ROWS, FACES> {
+    fn none() -> Self {
+        Self {
             widths: [[[0.0; LANES]; ROWS]; FACES],
             tops: [f32::INFINITY; FACES],
-            rows: other.rows,
-        };
-        let places = bounds.widths.iter_mut().zip(&mut bounds.tops);
+        }
+    }
+
+    #[inline]
+    fn fill(&mut self, side: &Side<ROWS, FACES>, other: &Side<ROWS, FACES>) {
+        let places = self.widths.iter_mut().zip(&mut self.tops);
         let faces = side.normals.iter().zip(&side.beyond).take(side.faces);
         for ((widths, top), (&normal, &beyond)) in places.zip(faces) {
             *top = other.widths(normal, beyond, widths);
         }
-        bounds
     }
 
     /// The face along whose normal the pair may be least wide.
     #[inline]
     fn least(&self) -> (u32, f32) {
         let lower = |best: (u32, f32), face: (u32, &f32)| {
-            if *face.1 < best.1 { (face.0, *face.1) } else { best }
+            if *face.1 < best.1 {
+                (face.0, *face.1)
+            } else {
+                best
+            }
         };
         (0..).zip(&self.tops).fold((0, f32::INFINITY), lower)
     }
 
-    /// The arcs of edges that may be no wider than `limit` somewhere.
+    /// The edges along whose arcs the pair may be no wider than `limit` somewhere.
     ///
     /// A point of the edge and a vertex of the other hull make a point of the Minkowski
     /// difference, beyond which the difference reaches all along the arc. On an arc between two unit
     /// vectors p and q lies αp + βq with α and β of one sign and α + β at least 1: if that point
     /// lies farther than `limit` along both, it does so along all of the arc.
     #[inline]
-    fn arcs<'r>(
-        &self,
-        (hull, sign): (&Hull, f64),
-        limit: f32,
-        arcs: &'r mut [Arc; EDGES],
-    ) -> &'r [Arc] {
+    fn edges<'r>(&self, hull: &Hull, limit: f32, room: &'r mut [u8; EDGES]) -> &'r [u8] {
         let mut count = 0;
-        for edge in hull.edges() {
+        for (number, edge) in (0..EDGES as u8).zip(hull.edges()) {
             let [left, right] = edge.faces.map(|face| face as usize % FACES);
             let both = self.widths[left].iter().zip(&self.widths[right]);
             let mut tops = [f32::NEG_INFINITY; LANES];
-            for (lefts, rights) in both.take(self.rows) {
+            for (lefts, rights) in both {
                 for lane in 0..LANES {
                     let (left, right) = (lefts[lane], rights[lane]);
                     let width = if left < right { left } else { right };
                     tops[lane] = upper(tops[lane], width);
                 }
             }
-            if largest(tops) > limit {
-                continue;
-            }
-            if let Some(along) = unit(hull.edge_vector(edge))
-                && let Some(place) = arcs.get_mut(count)
-            {
-                *place = Arc {
-                    point: hull.point(edge.vertices[0]),
-                    along,
-                    ends: edge.faces.map(|face| sign * hull.face_normal(face)),
-                };
-                count += 1;
-            }
+            // Written in any case, and overwritten if it is too wide: no branch.
+            room[count % EDGES] = number;
+            count += usize::from(largest(tops) <= limit);
         }
-        arcs.get(..count).unwrap_or_default()
+        room.get(..count).unwrap_or_default()
     }
+}
+
+/// The arc of an edge; `sign` −1 for a hull turned round.
+#[inline]
+fn arc(hull: &Hull, edge: u8, sign: f64) -> Option<Arc> {
+    let edge = hull.edges().get(usize::from(edge))?;
+    Some(Arc {
+        point: hull.point(edge.vertices[0]),
+        along: unit(hull.edge_vector(edge))?,
+        ends: edge.faces.map(|face| sign * hull.face_normal(face)),
+    })
 }
 
 /// The least of the widths shown to it; of widths that differ by rounding, the first.
@@ -253,6 +252,16 @@ pub(super) fn least(pair: &Pair) -> Option<Width> {
         // Any direction will do.
         return between;
     }
+    let most = pair.a.vertex_count().max(pair.b.vertex_count());
+    if most <= SMALL_ROWS * LANES {
+        search::<SMALL_ROWS, SMALL_FACES>(pair, first)
+    } else {
+        search::<ROWS, FACES>(pair, first)
+    }
+}
+
+/// [`least`], of which it is known that it is no more than `first`.
+fn search<const ROWS: usize, const FACES: usize>(pair: &Pair, first: f64) -> Option<Width> {
     let rounding = pair.rounding();
     let mut least = Least {
         rounding,
@@ -265,9 +274,11 @@ pub(super) fn least(pair: &Pair) -> Option<Width> {
     let to_b = pair.b.rotation().transpose();
     let offset = single(to_b * pair.offset);
     let turn = turned_round(to_b * pair.a.rotation());
-    let a = Side::new(&pair.a, turn, offset);
-    let b = Side::new(&pair.b, |vector| vector, offset);
-    let (beside_a, beside_b) = (Bounds::new(&a, &b), Bounds::new(&b, &a));
+    let a = Side::<ROWS, FACES>::new(&pair.a, turn, offset);
+    let b = Side::<ROWS, FACES>::new(&pair.b, |vector| vector, offset);
+    let (mut beside_a, mut beside_b) = (Bounds::none(), Bounds::none());
+    beside_a.fill(&a, &b);
+    beside_b.fill(&b, &a);
     let normal_a = |face: u32| -pair.a.face_normal(face);
     let normal_b = |face: u32| pair.b.face_normal(face);
     // The best face first: few others are left then.
@@ -294,7 +305,11 @@ pub(super) fn least(pair: &Pair) -> Option<Width> {
         if top > least.rough() {
             continue;
         }
-        let normal = if is_of_a { normal_a(face) } else { normal_b(face) };
+        let normal = if is_of_a {
+            normal_a(face)
+        } else {
+            normal_b(face)
+        };
         if normal != DVec3::ZERO {
             let shown = pair.width(normal);
             if shown.width <= pair.touch {
@@ -303,11 +318,37 @@ pub(super) fn least(pair: &Pair) -> Option<Width> {
             least.show(shown);
         }
     }
-    let (mut arcs_a, mut arcs_b) = ([Arc::default(); EDGES], [Arc::default(); EDGES]);
-    let arcs_a = beside_a.arcs((&pair.a, -1.0), least.rough(), &mut arcs_a);
-    let arcs_b = beside_b.arcs((&pair.b, 1.0), least.rough(), &mut arcs_b);
-    for a in arcs_a {
-        for b in arcs_b {
+    let mut rooms = [[0; EDGES]; 2];
+    let [room_a, room_b] = &mut rooms;
+    let edges_a = beside_a.edges(&pair.a, least.rough(), room_a);
+    let edges_b = beside_b.edges(&pair.b, least.rough(), room_b);
+    if edges_b.len() <= FEW_ARCS {
+        cross::<FEW_ARCS>(pair, (edges_a, edges_b), &mut least);
+    } else {
+        cross::<EDGES>(pair, (edges_a, edges_b), &mut least);
+    }
+    least.best
+}
+
+/// Most pairs leave fewer edges of a hull; to make room for more than there are takes as long as to
+/// fill it.
+const FEW_ARCS: usize = 8;
+
+/// Shows all directions in which arcs of two hulls' edges cross; B has up to `N`.
+fn cross<const N: usize>(pair: &Pair, (edges_a, edges_b): (&[u8], &[u8]), least: &mut Least) {
+    if edges_a.is_empty() {
+        return;
+    }
+    let mut arcs = [Arc::default(); N];
+    let mut count = 0;
+    for (place, made) in
+        (arcs.iter_mut()).zip(edges_b.iter().filter_map(|&edge| arc(&pair.b, edge, 1.0)))
+    {
+        *place = made;
+        count += 1;
+    }
+    for a in edges_a.iter().filter_map(|&edge| arc(&pair.a, edge, -1.0)) {
+        for b in arcs.iter().take(count) {
             if let Some(direction) = a.crossing(b)
                 && least.beats((b.point - a.point).dot(direction))
             {
@@ -315,7 +356,6 @@ pub(super) fn least(pair: &Pair) -> Option<Width> {
             }
         }
     }
-    least.best
 }
 
 /// How A's vectors lie in B's frame, turned round.

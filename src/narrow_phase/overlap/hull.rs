@@ -57,7 +57,10 @@ impl<'a> Hull<'a> {
     /// A vertex as seen from the centre, in its own frame.
     #[inline]
     pub(super) fn local_from_centre(&self, index: usize) -> Option<DVec3> {
-        self.mesh.vertices.get(index).map(|&local| local - self.centre)
+        self.mesh
+            .vertices
+            .get(index)
+            .map(|&local| local - self.centre)
     }
 
     /// How it is turned.
