@@ -11,7 +11,7 @@ mod worlds;
 
 use feeler::{
     Body, BroadPhase, CollisionWorld, Contact, Cuboid, Groups, Motion, Polytope, Shape, Sphere,
-    WorldConfig, first_contact,
+    Triangle, WorldConfig, first_contact,
 };
 use glam::{DQuat, DVec3};
 use worlds::{Crowd, Random};
@@ -184,6 +184,22 @@ fn a_settled_frame_allocates_nothing() {
                         .insert(Body::fixed(shape.clone(), [x, y, 0.0]))
                         .unwrap();
                     world.insert(Body::moving(shape, falling)).unwrap();
+                }
+            }
+            // Triangles, and hulls of many points, in each other all the time.
+            let corners = [[-1.0, -0.6, 0.1], [1.2, 0.0, 0.0], [0.0, 0.9, 0.3]];
+            let triangle = Shape::from(Triangle::new(corners[0], corners[1], corners[2]).unwrap());
+            let points = (0..60).map(|_| random.vector().normalize());
+            let large = Shape::from(Polytope::from_points(points).unwrap());
+            for number in 0..24 {
+                let x = -1e3 - 10.0 * f64::from(number);
+                let turn = DQuat::from_axis_angle(random.vector().normalize(), 2.0);
+                for (y, shape) in [(0.0, &triangle), (10.0, &large)] {
+                    let place = DVec3::new(x, y, 0.0);
+                    let drift = Motion::free(place, 0.1 * random.vector().normalize()).unwrap();
+                    let drifting = Body::moving(shape.clone(), drift);
+                    world.insert(Body::fixed(shape.clone(), place)).unwrap();
+                    world.insert(drifting.oriented(turn)).unwrap();
                 }
             }
             let mut contacts = 0;
