@@ -10,7 +10,7 @@ use super::faces::Arc;
 use super::hull::Hull;
 use super::pair::Pair;
 use super::{Width, unit};
-use glam::{DMat3, DVec3};
+use glam::{DMat3, DVec3, Mat4, Vec4};
 
 /// Hulls with more edges, faces or vertices are not small: of 18 points and more, or 32 where
 /// three edges meet at each.
@@ -45,69 +45,48 @@ pub(super) fn are_few(pair: &Pair) -> bool {
     is_small(&pair.a) && is_small(&pair.b)
 }
 
-/// A vector for each of four vertices, coordinate by coordinate.
-type Row = [[f32; LANES]; 3];
+/// Coordinates of four vertices: all x, all y, all z.
+type Row = [Vec4; 3];
 
 /// One hull's part in the Minkowski difference, roughly: B as seen from its centre, or A turned round.
 struct Side<const ROWS: usize, const FACES: usize> {
     /// Vertices; the last fill up with the first.
     vertices: [Row; ROWS],
-    /// Normals of the faces.
-    normals: [[f32; 3]; FACES],
-    /// How far each face lies from the centre, less how far the offset of the two centres
-    /// leads along its normal: what the pair is wide there beside the other hull's part.
-    beyond: [f32; FACES],
+    /// Normals of the faces, and how far each face lies from the centre, less how far the offset of the
+    /// two centres leads along its normal: what the pair is wide there beside the other hull's part.
+    planes: [Vec4; FACES],
     faces: usize,
 }
 
-/// Three coordinates in single precision.
+/// In single precision.
 #[inline]
-fn single(vector: DVec3) -> [f32; 3] {
-    [vector.x as f32, vector.y as f32, vector.z as f32]
-}
-
-#[inline]
-fn dot([x, y, z]: [f32; 3], other: [f32; 3]) -> f32 {
-    x * other[0] + y * other[1] + z * other[2]
-}
-
-#[inline]
-fn upper(a: f32, b: f32) -> f32 {
-    if b > a { b } else { a }
-}
-
-#[inline]
-fn largest([a, b, c, d]: [f32; LANES]) -> f32 {
-    upper(upper(a, b), upper(c, d))
+fn single(vector: DVec3) -> Vec4 {
+    Vec4::new(vector.x as f32, vector.y as f32, vector.z as f32, 0.0)
 }
 
 impl<const ROWS: usize, const FACES: usize> Side<ROWS, FACES> {
     /// As seen along the axes of its own, turned by `turn`; `offset` in the frame it is turned to.
     #[inline]
-    fn new(hull: &Hull, turn: impl Fn([f32; 3]) -> [f32; 3], offset: [f32; 3]) -> Self {
+    fn new(hull: &Hull, turn: impl Fn(Vec4) -> Vec4, offset: Vec4) -> Self {
         let mut side = Self {
-            vertices: [[[0.0; LANES]; 3]; ROWS],
-            normals: [[0.0; 3]; FACES],
-            beyond: [0.0; FACES],
+            vertices: [[Vec4::ZERO; 3]; ROWS],
+            planes: [Vec4::ZERO; FACES],
             faces: (hull.face_count() as usize).min(FACES),
         };
-        let mut first = None;
-        for vertex in 0..ROWS * LANES {
-            let point = match (hull.local_from_centre(vertex), first) {
-                (Some(local), _) => turn(single(local)),
-                (None, Some(first)) => first,
-                (None, None) => [0.0; 3],
-            };
-            first = first.or(Some(point));
-            let row = &mut side.vertices[vertex / LANES];
-            for (coordinates, coordinate) in row.iter_mut().zip(point) {
-                coordinates[vertex % LANES] = coordinate;
-            }
+        let vertex = |index: usize| {
+            hull.local_from_centre(index)
+                .map(|local| turn(single(local)))
+        };
+        let first = vertex(0).unwrap_or(Vec4::ZERO);
+        for (number, row) in side.vertices.iter_mut().enumerate() {
+            let [a, b, c, d] =
+                std::array::from_fn(|lane| vertex(LANES * number + lane).unwrap_or(first));
+            let all = Mat4::from_cols(a, b, c, d).transpose();
+            *row = [all.x_axis, all.y_axis, all.z_axis];
         }
-        let places = side.normals.iter_mut().zip(&mut side.beyond);
-        hull.for_each_plane(places, |normal, height, (place, beyond)| {
-            *place = turn(single(normal));
-            *beyond = height as f32 - dot(*place, offset);
+        hull.for_each_plane(side.planes.iter_mut(), |normal, height, place| {
+            let normal = turn(single(normal));
+            *place = normal.with_w(height as f32 - normal.dot(offset));
         });
         side
     }
@@ -115,24 +94,21 @@ impl<const ROWS: usize, const FACES: usize> Side<ROWS, FACES> {
     /// What the pair is at least wide along a normal of the other side, by each of the vertices
     /// here; the largest of these numbers, too.
     #[inline]
-    fn widths(&self, normal: [f32; 3], beyond: f32, widths: &mut [[f32; LANES]; ROWS]) -> f32 {
-        let [x, y, z] = normal;
-        let mut tops = [f32::NEG_INFINITY; LANES];
-        for (widths, [xs, ys, zs]) in widths.iter_mut().zip(&self.vertices) {
-            for lane in 0..LANES {
-                let width = beyond + (x * xs[lane] + y * ys[lane] + z * zs[lane]);
-                widths[lane] = width;
-                tops[lane] = upper(tops[lane], width);
-            }
+    fn widths(&self, plane: Vec4, widths: &mut [Vec4; ROWS]) -> f32 {
+        let [x, y, z, beyond] = plane.to_array().map(Vec4::splat);
+        let mut tops = Vec4::NEG_INFINITY;
+        for (widths, &[xs, ys, zs]) in widths.iter_mut().zip(&self.vertices) {
+            *widths = beyond + (x * xs + y * ys + z * zs);
+            tops = tops.max(*widths);
         }
-        largest(tops)
+        tops.max_element()
     }
 }
 
 /// What the pair is at least wide along the normals of one side's faces.
 struct Bounds<const ROWS: usize, const FACES: usize> {
     /// By each of the other side's vertices.
-    widths: [[[f32; LANES]; ROWS]; FACES],
+    widths: [[Vec4; ROWS]; FACES],
     /// By all of them.
     tops: [f32; FACES],
 }
@@ -140,7 +116,7 @@ struct Bounds<const ROWS: usize, const FACES: usize> {
 impl<const ROWS: usize, const FACES: usize> Bounds<ROWS, FACES> {
     fn none() -> Self {
         Self {
-            widths: [[[0.0; LANES]; ROWS]; FACES],
+            widths: [[Vec4::ZERO; ROWS]; FACES],
             tops: [f32::INFINITY; FACES],
         }
     }
@@ -148,9 +124,8 @@ impl<const ROWS: usize, const FACES: usize> Bounds<ROWS, FACES> {
     #[inline]
     fn fill(&mut self, side: &Side<ROWS, FACES>, other: &Side<ROWS, FACES>) {
         let places = self.widths.iter_mut().zip(&mut self.tops);
-        let faces = side.normals.iter().zip(&side.beyond).take(side.faces);
-        for ((widths, top), (&normal, &beyond)) in places.zip(faces) {
-            *top = other.widths(normal, beyond, widths);
+        for ((widths, top), &plane) in places.zip(&side.planes).take(side.faces) {
+            *top = other.widths(plane, widths);
         }
     }
 
@@ -177,19 +152,19 @@ impl<const ROWS: usize, const FACES: usize> Bounds<ROWS, FACES> {
     fn edges<'r>(&self, hull: &Hull, limit: f32, room: &'r mut [u8; EDGES]) -> &'r [u8] {
         let mut count = 0;
         for (number, edge) in (0..EDGES as u8).zip(hull.edges()) {
-            let [left, right] = edge.faces.map(|face| face as usize % FACES);
-            let both = self.widths[left].iter().zip(&self.widths[right]);
-            let mut tops = [f32::NEG_INFINITY; LANES];
-            for (lefts, rights) in both {
-                for lane in 0..LANES {
-                    let (left, right) = (lefts[lane], rights[lane]);
-                    let width = if left < right { left } else { right };
-                    tops[lane] = upper(tops[lane], width);
-                }
-            }
+            let [left, right] = edge.faces.map(|face| self.widths.get(face as usize));
+            let (Some(left), Some(right)) = (left, right) else {
+                continue;
+            };
+            let tops = (left.iter().zip(right))
+                .fold(Vec4::NEG_INFINITY, |tops, (&left, &right)| {
+                    tops.max(left.min(right))
+                });
             // Written in any case, and overwritten if it is too wide: no branch.
-            room[count % EDGES] = number;
-            count += usize::from(largest(tops) <= limit);
+            if let Some(place) = room.get_mut(count) {
+                *place = number;
+            }
+            count += usize::from(tops.max_element() <= limit);
         }
         room.get(..count).unwrap_or_default()
     }
@@ -359,8 +334,7 @@ fn cross<const N: usize>(pair: &Pair, (edges_a, edges_b): (&[u8], &[u8]), least:
 }
 
 /// How A's vectors lie in B's frame, turned round.
-fn turned_round(turn: DMat3) -> impl Fn([f32; 3]) -> [f32; 3] {
-    let rows = turn.transpose();
-    let rows = [rows.x_axis, rows.y_axis, rows.z_axis].map(|row| single(-row));
-    move |vector| rows.map(|row| dot(row, vector))
+fn turned_round(turn: DMat3) -> impl Fn(Vec4) -> Vec4 {
+    let [x, y, z] = [turn.x_axis, turn.y_axis, turn.z_axis].map(|column| single(-column));
+    move |vector| vector.x * x + vector.y * y + vector.z * z
 }

@@ -23,6 +23,7 @@ pub(super) struct Hull<'a> {
 
 impl<'a> Hull<'a> {
     /// The shape at `pose` with its centre at `offset`; none for a sphere.
+    #[inline]
     pub(super) fn new(shape: &'a Shape, pose: &Pose, offset: DVec3) -> Option<Self> {
         Some(Self {
             shape,
@@ -168,11 +169,16 @@ impl<'a> Hull<'a> {
         let local = self.rotation.transpose() * direction;
         let height = |vertex: DVec3| (vertex - self.centre).dot(local);
         let vertices = || self.mesh.vertices.iter().copied();
-        let top = vertices().map(height).fold(f64::NEG_INFINITY, f64::max);
-        (0..)
-            .zip(vertices())
-            .filter_map(|(index, vertex)| (top - height(vertex) <= margin).then_some(index))
-            .collect()
+        let top = vertices()
+            .map(height)
+            .fold(f64::NEG_INFINITY, |a, b| if b > a { b } else { a });
+        let mut near = Vertices::new();
+        for (index, vertex) in (0..).zip(vertices()) {
+            if top - height(vertex) <= margin {
+                near.push(index);
+            }
+        }
+        near
     }
 }
 
@@ -181,9 +187,10 @@ fn farthest(points: &[DVec3], direction: DVec3) -> u32 {
     let (mut best, mut height) = (0, f64::NEG_INFINITY);
     for (index, point) in points.iter().enumerate() {
         let along = point.dot(direction);
-        if along > height {
-            (best, height) = (index, along);
-        }
+        // Told apart without a branch that nobody can foresee.
+        let is_farther = along > height;
+        best = if is_farther { index } else { best };
+        height = if is_farther { along } else { height };
     }
     best as u32
 }
