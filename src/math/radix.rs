@@ -1,7 +1,7 @@
 //! Many keys sorted.
 
-/// Fewer than these are sorted by comparing, which is as fast.
-const FEW: usize = 128;
+/// Fewer than these are sorted by comparing, which is as fast or faster.
+const FEW: usize = 512;
 
 /// At most so many bits of a key are looked at in a pass: as many counters as stay in
 /// the nearest cache; fewer where there would be more counters than items.

@@ -126,8 +126,6 @@ fn record(resident: &Resident) -> f64 {
     resident.since
         + resident.reach
         + resident.half.z
-        + resident.frame.start.x
-        + resident.frame.displacement.z
         + resident.body.orientation().x
         + f64::from(u8::from(resident.body.motion().is_free()))
 }
