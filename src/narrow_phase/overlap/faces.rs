@@ -157,10 +157,10 @@ pub(super) fn sharpened(pair: &Pair, near: Width) -> Option<Width> {
     let edges_b = edges_along(&pair.b, near.direction);
     let mut least = Least::new(pair);
     show_normals(&pair.a, &edges_a, -near.direction, |normal| {
-        least.show(-normal)
+        least.show(-normal);
     });
     show_normals(&pair.b, &edges_b, near.direction, |normal| {
-        least.show(normal)
+        least.show(normal);
     });
     if edges_a.len() <= MAX_EDGES && edges_b.len() <= MAX_EDGES {
         let along =
