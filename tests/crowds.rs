@@ -11,7 +11,7 @@ mod worlds;
 
 use feeler::{
     Body, BroadPhase, CollisionWorld, Contact, Cuboid, Groups, Motion, Polytope, Shape, Sphere,
-    WorldConfig, first_contact,
+    Triangle, WorldConfig, first_contact,
 };
 use glam::{DQuat, DVec3};
 use worlds::{Crowd, Random};
@@ -27,11 +27,17 @@ fn world(broad_phase: BroadPhase) -> CollisionWorld {
 /// Hierarchies against all pairs, frame by frame, with bodies that come, go, are
 /// moved and turned away: the same contacts to the bit, in the same order.
 ///
-/// `WORLDS` sets how many worlds of each kind.
+/// `WORLDS` sets how many worlds of each kind, `CROWD` names the only kind.
 #[test]
 fn hierarchies_miss_no_contact_that_all_pairs_have() {
     let rounds: u64 = std::env::var("WORLDS").map_or(6, |worlds| worlds.parse().unwrap());
-    for crowd in Crowd::ALL {
+    let only = std::env::var("CROWD").ok();
+    let is_wanted = |crowd: &Crowd| {
+        only.as_ref()
+            .is_none_or(|name| *name == format!("{crowd:?}"))
+    };
+    assert!(Crowd::ALL.iter().any(is_wanted), "no such crowd: {only:?}");
+    for crowd in Crowd::ALL.into_iter().filter(is_wanted) {
         let (mut told, mut looked) = (0, [0, 0]);
         for round in 0..rounds {
             let mut random = Random::seeded(100 * round + crowd as u64);
@@ -151,6 +157,75 @@ fn balls_are_examined_as_any_other_pair() {
     assert!(touches > 1_000 && overlaps > 1_000, "{touches} {overlaps}");
 }
 
+/// Worlds leave out hulls that surely keep apart before they look at them closely; nobody does
+/// without a world.
+#[test]
+fn hulls_are_examined_as_without_a_world() {
+    let mut random = Random::seeded(8);
+    let (mut touches, mut overlaps, mut apart) = (0, 0, 0);
+    for case in 0..6_000 {
+        let scale = 10_f64.powf(random.within(-4.0, 4.0));
+        let far = match case % 3 {
+            0 => DVec3::ZERO,
+            _ => scale * 10_f64.powf(random.within(0.0, 5.0)) * random.vector(),
+        };
+        let mut hull = || {
+            let points = (0..4 + random.below(12)).map(|_| scale * random.vector());
+            Polytope::from_points(points.collect::<Vec<_>>()).ok()
+        };
+        let (Some(hull_a), Some(hull_b)) = (hull(), hull()) else {
+            continue;
+        };
+        let way = random.vector().normalize();
+        let turn = DQuat::from_axis_angle(random.vector().normalize(), 3.0);
+        // Along the line between their centres, most of them grazing.
+        let along = |hull: &Polytope, way: DVec3| {
+            let vertices = hull.vertices().iter();
+            let heights = vertices.map(|vertex| (turn * (*vertex - hull.centre())).dot(way));
+            heights.fold(f64::NEG_INFINITY, f64::max)
+        };
+        let gap = match case % 4 {
+            0 => 0.0,
+            1 => scale * random.within(-1e-11, 1e-11),
+            _ => scale * random.within(-0.5, 1.0),
+        };
+        let distance = along(&hull_a, -way) + along(&hull_b, way) + gap;
+        let place = far + distance * way - turn * hull_a.centre();
+        let closing = match case % 5 {
+            0 => 0.0,
+            1 => gap,
+            _ => scale * random.within(-1.0, 2.0),
+        };
+        let beside = 0.3 * scale * random.vector();
+        let velocity = beside - (closing + beside.dot(way)) * way;
+        let motion = Motion::free(place, velocity).unwrap();
+        let a = Body::moving(hull_a, motion).oriented(turn);
+        let b = Body::fixed(hull_b.clone(), far - turn * hull_b.centre()).oriented(turn);
+        let mut world = CollisionWorld::default();
+        for body in [&a, &b] {
+            world.insert(body.clone()).unwrap();
+        }
+        let alone = first_contact(&a, &b, 1.0, &world.config().method).unwrap();
+        let together = world.step(1.0).unwrap().first().copied();
+        assert_eq!(together.is_some(), alone.is_some(), "{case}: {a:?} {b:?}");
+        match (together, alone) {
+            (Some(one), Some(other)) => {
+                assert_eq!(
+                    (one.fraction, one.point, one.normal, one.kind),
+                    (other.fraction, other.point, other.normal, other.kind),
+                    "{case}: {a:?} {b:?}"
+                );
+                touches += u32::from(one.is_touch());
+                overlaps += u32::from(!one.is_touch());
+            }
+            _ => apart += 1,
+        }
+    }
+    println!("{touches} touches, {overlaps} overlaps, {apart} apart");
+    let least = touches.min(overlaps).min(apart);
+    assert!(least > 300, "{touches} {overlaps} {apart}");
+}
+
 #[test]
 fn a_settled_frame_allocates_nothing() {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1);
@@ -184,6 +259,22 @@ fn a_settled_frame_allocates_nothing() {
                         .insert(Body::fixed(shape.clone(), [x, y, 0.0]))
                         .unwrap();
                     world.insert(Body::moving(shape, falling)).unwrap();
+                }
+            }
+            // Triangles, and hulls of many points, in each other all the time.
+            let corners = [[-1.0, -0.6, 0.1], [1.2, 0.0, 0.0], [0.0, 0.9, 0.3]];
+            let triangle = Shape::from(Triangle::new(corners[0], corners[1], corners[2]).unwrap());
+            let points = (0..60).map(|_| random.vector().normalize());
+            let large = Shape::from(Polytope::from_points(points).unwrap());
+            for number in 0..24 {
+                let x = -1e3 - 10.0 * f64::from(number);
+                let turn = DQuat::from_axis_angle(random.vector().normalize(), 2.0);
+                for (y, shape) in [(0.0, &triangle), (10.0, &large)] {
+                    let place = DVec3::new(x, y, 0.0);
+                    let drift = Motion::free(place, 0.1 * random.vector().normalize()).unwrap();
+                    let drifting = Body::moving(shape.clone(), drift);
+                    world.insert(Body::fixed(shape.clone(), place)).unwrap();
+                    world.insert(drifting.oriented(turn)).unwrap();
                 }
             }
             let mut contacts = 0;

@@ -1,10 +1,10 @@
 //! Many keys sorted.
 
-/// Fewer than these are sorted by comparing, which is as fast.
-const FEW: usize = 128;
+/// Fewer than these are sorted by comparing, which is as fast or faster.
+const FEW: usize = 512;
 
 /// At most so many bits of a key are looked at in a pass: as many counters as stay in
-/// the nearest cache.
+/// the nearest cache; fewer where there would be more counters than items.
 const DIGIT: u32 = 11;
 
 /// Sorts `items` by the slots that `key` answers with, its two halves; `spare` is room.
@@ -22,22 +22,24 @@ pub(crate) fn sort_by_slots<T: Copy>(
     let used = items.iter().fold(0, |used, item| used | key(item));
     spare.clear();
     spare.extend_from_slice(items);
+    let digit = (usize::BITS - items.len().leading_zeros()).min(DIGIT);
+    let mut places = [0_u32; 1 << DIGIT];
     for half in [0, 32] {
         let bits = u32::BITS - ((used >> half) as u32).leading_zeros();
-        let passes = bits.div_ceil(DIGIT);
+        let passes = bits.div_ceil(digit);
         let width = bits
             .checked_div(passes)
-            .map_or(0, |whole| whole + 1)
-            .min(DIGIT);
+            .map_or(0, |whole| whole + u32::from(whole * passes < bits));
         for pass in 0..passes {
             let shift = half + pass * width;
             let digit = |item: &T| (key(item) >> shift) as usize & ((1 << width) - 1);
-            let mut places = [0_u32; 1 << DIGIT];
+            let places = &mut places[..1 << width];
+            places.fill(0);
             for item in items.iter() {
                 places[digit(item)] += 1;
             }
             let mut before = 0;
-            for place in places.iter_mut().take(1 << width) {
+            for place in places.iter_mut() {
                 before += std::mem::replace(place, before);
             }
             for item in items.iter() {

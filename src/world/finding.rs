@@ -4,6 +4,7 @@ use crate::broad_phase::{Bvh, Leaf, LeafId};
 use crate::motion::FrameMotion;
 use crate::world::findings::{Findings, PairKey, key};
 use crate::world::pair::{self, Finding, Mover, PairEffort};
+use crate::world::sifting::SIFTED;
 use crate::world::slots::{Resident, Slots};
 use crate::world::solver::Solver;
 use crate::world::stirred::Stirred;
@@ -64,18 +65,23 @@ impl Frame<'_> {
     ) {
         let exact = self.config.method == Method::Exact;
         self.read_ahead(pairs, &at);
-        for &(first, second) in pairs {
-            let (Some(a), Some(b)) = (at(first), at(second)) else {
-                continue;
-            };
-            let finding = if exact && a.data.is_ball && b.data.is_ball {
-                findings.effort.stretches += 1;
-                balls::examine(a.data, b.data, self.span)
-            } else {
-                self.examine_bodies(&a, &b, solver, &mut findings.effort)
-            };
-            if let Some(finding) = finding {
-                self.note((a.slot, b.slot), finding, findings);
+        let nobody = LeafId::default();
+        let mut left = [(nobody, nobody); SIFTED];
+        for some in pairs.chunks(SIFTED) {
+            let count = self.sift(some, &at, &mut left);
+            for &(first, second) in left.iter().take(count) {
+                let (Some(a), Some(b)) = (at(first), at(second)) else {
+                    continue;
+                };
+                let finding = if exact && a.data.is_ball && b.data.is_ball {
+                    findings.effort.stretches += 1;
+                    balls::examine(a.data, b.data, self.span)
+                } else {
+                    self.examine_bodies(&a, &b, solver, &mut findings.effort)
+                };
+                if let Some(finding) = finding {
+                    self.note((a.slot, b.slot), finding, findings);
+                }
             }
         }
     }

@@ -57,6 +57,7 @@ mod looks;
 mod pair;
 mod portions;
 mod queries;
+mod sifting;
 mod slots;
 mod solver;
 mod stats;

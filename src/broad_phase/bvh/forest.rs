@@ -31,6 +31,13 @@ impl LeafId {
     };
 }
 
+/// Of no body.
+impl Default for LeafId {
+    fn default() -> Self {
+        Self::NOWHERE
+    }
+}
+
 /// A body of a [`Bvh`].
 #[derive(Debug, Clone, Copy)]
 pub struct Leaf<'a, T> {
@@ -83,6 +90,8 @@ pub struct Bvh<T> {
     pub(super) waiting: Vec<(Mobility, u32, T)>,
     /// By slot.
     places: Vec<LeafId>,
+    /// Moving bodies that were inserted anew since the last update, and the leaves they left.
+    away: Vec<(u32, LeafId)>,
     items: Vec<Item>,
     bodies: Vec<(u32, T)>,
     /// Pairs of the trees there are.
@@ -96,6 +105,7 @@ impl<T> Default for Bvh<T> {
             trees: Vec::new(),
             waiting: Vec::new(),
             places: Vec::new(),
+            away: Vec::new(),
             items: Vec::new(),
             bodies: Vec::new(),
             lists: Lists::default(),
@@ -108,6 +118,14 @@ impl<T: Copy + Sync> Bvh<T> {
     ///
     /// It is in no pair before the next [`update`](Self::update).
     pub fn insert(&mut self, slot: u32, moving: bool, data: T) {
+        if let Some(&id) = self.places.get(slot as usize)
+            && moving
+            && let Some(tree) = self.trees.get(id.tree as usize)
+            && tree.settled
+            && tree.mobility == Mobility::Moving
+        {
+            self.away.push((slot, id));
+        }
         self.remove(slot);
         if self.places.len() <= slot as usize {
             self.places.resize(slot as usize + 1, LeafId::NOWHERE);
@@ -201,6 +219,7 @@ impl<T: Copy + Sync> Bvh<T> {
     pub fn memory(&self) -> usize {
         self.trees.iter().map(Tree::memory).sum::<usize>()
             + self.places.capacity() * size_of::<LeafId>()
+            + self.away.capacity() * size_of::<(u32, LeafId)>()
             + self.items.capacity() * size_of::<Item>()
             + self.bodies.capacity() * size_of::<(u32, T)>()
             + self.lists.memory()
@@ -216,6 +235,7 @@ impl<T: Copy + Sync> Bvh<T> {
         for tree in &mut self.trees {
             tree.settled = false;
         }
+        self.return_home();
         self.settle(&bounds);
         for mobility in [Mobility::Fixed, Mobility::Moving] {
             self.consolidate(mobility, &bounds);
@@ -235,6 +255,61 @@ impl<T: Copy + Sync> Bvh<T> {
             // Without bodies it is spare.
             tree.settled = tree.live() > 0;
         }
+    }
+
+    /// Puts moving bodies that were inserted anew back into the leaves they left.
+    ///
+    /// Most have another velocity and are where they were: nothing is out of order, and no trees
+    /// have to be merged for their sake. All boxes are about to be fitted.
+    fn return_home(&mut self) {
+        let Self {
+            trees,
+            waiting,
+            places,
+            away,
+            ..
+        } = self;
+        away.sort_unstable_by_key(|&(slot, _)| slot);
+        waiting.retain(|&(mobility, slot, data)| {
+            let found = away.binary_search_by_key(&slot, |&(slot, _)| slot);
+            let Some(&(_, home)) = found.ok().and_then(|index| away.get(index)) else {
+                return true;
+            };
+            if mobility != Mobility::Moving {
+                return true;
+            }
+            let tree = trees.get_mut(home.tree as usize);
+            let (Some(tree), Some(place)) = (tree, places.get_mut(slot as usize)) else {
+                return true;
+            };
+            if !tree.occupy(home.leaf, slot, data) {
+                return true;
+            }
+            *place = home;
+            false
+        });
+        for &(slot, home) in &*away {
+            let Some(place) = places.get_mut(slot as usize) else {
+                continue;
+            };
+            // It may have come home already, still wait, or be gone.
+            let Some(tree) = trees.get(place.tree as usize) else {
+                continue;
+            };
+            if *place == home || tree.mobility != Mobility::Moving {
+                continue;
+            }
+            if let Some(&data) = tree.data.get(place.leaf as usize)
+                && let Some(tree) = trees.get_mut(home.tree as usize)
+                && tree.occupy(home.leaf, slot, data)
+            {
+                let left = std::mem::replace(place, home);
+                if let Some(tree) = trees.get_mut(left.tree as usize) {
+                    tree.vacate(left.leaf);
+                }
+            }
+        }
+        away.clear();
     }
 
     /// As [`update`](Self::update), but for the boxes of bodies that were there at the

@@ -124,6 +124,19 @@ impl<T: Copy + Sync> Tree<T> {
         }
     }
 
+    /// Fills a vacant leaf, whose box is to be fitted; answers whether it was one.
+    pub(super) fn occupy(&mut self, leaf: u32, slot: u32, data: T) -> bool {
+        let leaf = leaf as usize;
+        match (self.leaves.get_mut(leaf), self.data.get_mut(leaf)) {
+            (Some(place), Some(there)) if *place == NOBODY => {
+                (*place, *there) = (slot, data);
+                self.vacant -= 1;
+                true
+            }
+            _ => false,
+        }
+    }
+
     /// The box of a leaf.
     pub(super) fn leaf(&self, leaf: usize) -> Bounds {
         self.levels

@@ -5,6 +5,7 @@ use super::pair::Pair;
 use super::{Width, unit};
 use glam::DVec3;
 use robust::{Coord3D, orient3d};
+use std::cell::RefCell;
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
@@ -37,9 +38,32 @@ pub(super) enum Expansion {
 ///
 /// Source: van den Bergen (2001); predicates: Shewchuk (1997).
 pub(super) fn least(pair: &Pair, start: [DVec3; 4]) -> Expansion {
-    let Some(mut inner) = Inner::new(start) else {
+    ROOM.with(|room| match room.try_borrow_mut() {
+        Ok(mut inner) => {
+            let least = grow(pair, start, &mut inner);
+            if inner.points.capacity() > ROOMY {
+                *inner = Inner::default();
+            }
+            least
+        }
+        Err(_) => grow(pair, start, &mut Inner::default()),
+    })
+}
+
+/// So much room for points is kept from pair to pair: most take some dozens.
+const ROOMY: usize = 4096;
+
+thread_local! {
+    /// Room that a thread has made for one pair and uses for the next, so that settled frames of a
+    /// world do not allocate. Nothing in it outlives a call.
+    static ROOM: RefCell<Inner> = RefCell::default();
+}
+
+/// [`least`], in the room given.
+fn grow(pair: &Pair, start: [DVec3; 4], inner: &mut Inner) -> Expansion {
+    if !inner.begin(start) {
         return Expansion::Undecided;
-    };
+    }
     let mut best: Option<Width> = None;
     let rounding = pair.rounding();
     while inner.points.len() < MAX_POINTS {
@@ -74,6 +98,7 @@ pub(super) fn least(pair: &Pair, start: [DVec3; 4]) -> Expansion {
 }
 
 /// A convex polytope of triangles.
+#[derive(Default)]
 struct Inner {
     points: Vec<DVec3>,
     /// None where a face was taken away.
@@ -107,24 +132,21 @@ struct Nearest {
 }
 
 impl Inner {
-    /// None if the points lie in one plane or run the wrong way round.
-    fn new(points: [DVec3; 4]) -> Option<Self> {
-        let mut inner = Self {
-            points: points.to_vec(),
-            faces: Vec::with_capacity(64),
-            queue: BinaryHeap::with_capacity(64),
-            horizon: Vec::new(),
-            ahead: Vec::new(),
-        };
+    /// Makes a tetrahedron; answers false if the points lie in one plane or run the wrong way round.
+    fn begin(&mut self, points: [DVec3; 4]) -> bool {
+        self.points.clear();
+        self.faces.clear();
+        self.queue.clear();
+        self.points.extend(points);
         let [a, b, c, d] = points;
         if !above([a, b, c], d).is_lt() {
-            return None;
+            return false;
         }
-        inner.push([0, 1, 2], [1, 2, 3]);
-        inner.push([1, 0, 3], [0, 3, 2]);
-        inner.push([2, 1, 3], [0, 1, 3]);
-        inner.push([0, 2, 3], [0, 2, 1]);
-        Some(inner)
+        self.push([0, 1, 2], [1, 2, 3]);
+        self.push([1, 0, 3], [0, 3, 2]);
+        self.push([2, 1, 3], [0, 1, 3]);
+        self.push([0, 2, 3], [0, 2, 1]);
+        true
     }
 
     fn push(&mut self, vertices: [usize; 3], neighbours: [usize; 3]) {

@@ -9,6 +9,7 @@ use super::hull::Hull;
 use super::pair::Pair;
 use super::{Width, unit};
 use crate::geometry::Edge;
+use crate::math::short_list::ShortList;
 use glam::DVec3;
 
 /// Rounding of the crossing test. More directions than needed may pass, for
@@ -73,8 +74,8 @@ pub(super) fn least(pair: &Pair) -> Option<Width> {
         least.show(rim);
     }
     let (arcs_a, arcs_b) = (arcs(&pair.a, -1.0), arcs(&pair.b, 1.0));
-    for a in &arcs_a {
-        for b in &arcs_b {
+    for a in arcs_a.iter() {
+        for b in arcs_b.iter() {
             if let Some(direction) = a.crossing(b)
                 && least.beats((b.point - a.point).dot(direction))
             {
@@ -121,10 +122,13 @@ impl Arc {
     }
 }
 
+/// As many as a triangle has lie in place; hulls come here if all else fails.
+type Arcs = ShortList<Arc, 8>;
+
 /// The arcs of a hull's edges; `sign` −1 for the hull turned round.
-fn arcs(hull: &Hull, sign: f64) -> Vec<Arc> {
+fn arcs(hull: &Hull, sign: f64) -> Arcs {
     let rims = hull.rim_normals();
-    let mut arcs = Vec::new();
+    let mut arcs = Arcs::new();
     for (index, edge) in hull.edges().iter().enumerate() {
         let Some(along) = unit(hull.edge_vector(edge)) else {
             continue;
@@ -152,21 +156,17 @@ pub(super) fn sharpened(pair: &Pair, near: Width) -> Option<Width> {
     let edges_a = edges_along(&pair.a, -near.direction);
     let edges_b = edges_along(&pair.b, near.direction);
     let mut least = Least::new(pair);
-    for normal in normals_along(&pair.a, &edges_a, -near.direction) {
+    show_normals(&pair.a, &edges_a, -near.direction, |normal| {
         least.show(-normal);
-    }
-    for normal in normals_along(&pair.b, &edges_b, near.direction) {
+    });
+    show_normals(&pair.b, &edges_b, near.direction, |normal| {
         least.show(normal);
-    }
+    });
     if edges_a.len() <= MAX_EDGES && edges_b.len() <= MAX_EDGES {
-        for a in edges_a
-            .iter()
-            .filter_map(|edge| unit(pair.a.edge_vector(edge)))
-        {
-            for b in edges_b
-                .iter()
-                .filter_map(|edge| unit(pair.b.edge_vector(edge)))
-            {
+        let along =
+            |hull: &Hull, edge: u32| unit(hull.edge_vector(hull.edges().get(edge as usize)?));
+        for a in edges_a.iter().filter_map(|&edge| along(&pair.a, edge)) {
+            for b in edges_b.iter().filter_map(|&edge| along(&pair.b, edge)) {
                 let cross = a.cross(b);
                 if cross.length_squared() >= PARALLEL * PARALLEL
                     && let Some(axis) = unit(cross)
@@ -186,26 +186,35 @@ pub(super) fn sharpened(pair: &Pair, near: Width) -> Option<Width> {
     least.best
 }
 
-fn edges_along<'a>(hull: &'a Hull, direction: DVec3) -> Vec<&'a Edge> {
+/// Numbers of a few edges or faces.
+type Numbers = ShortList<u32, 64>;
+
+fn edges_along(hull: &Hull, direction: DVec3) -> Numbers {
     let near = hull.farthest_within(direction, NEAR * hull.radius);
-    hull.edges()
-        .iter()
-        .filter(|edge| {
-            edge.vertices
-                .iter()
-                .all(|vertex| near.binary_search(vertex).is_ok())
-        })
+    let is_near = |edge: &Edge| {
+        let mut ends = edge.vertices.iter();
+        ends.all(|vertex| near.binary_search(vertex).is_ok())
+    };
+    let edges = (0..).zip(hull.edges());
+    edges
+        .filter_map(|(number, edge)| is_near(edge).then_some(number))
         .collect()
 }
 
-/// Normals of the faces beside `edges`, of each face once, if they point along `direction`.
-fn normals_along(hull: &Hull, edges: &[&Edge], direction: DVec3) -> Vec<DVec3> {
-    let mut faces: Vec<u32> = edges.iter().flat_map(|edge| edge.faces).collect();
+/// Shows the normals of the faces beside `edges`, of each face once, if they point along `direction`.
+fn show_normals(hull: &Hull, edges: &[u32], direction: DVec3, mut show: impl FnMut(DVec3)) {
+    let beside = edges
+        .iter()
+        .filter_map(|&edge| hull.edges().get(edge as usize));
+    let mut faces: Numbers = beside.flat_map(|edge| edge.faces).collect();
     faces.sort_unstable();
-    faces.dedup();
-    faces
-        .into_iter()
-        .map(|face| hull.face_normal(face))
-        .filter(|normal| normal.dot(direction) > 0.5)
-        .collect()
+    let mut last = None;
+    for &face in faces.iter() {
+        if last.replace(face) != Some(face) {
+            let normal = hull.face_normal(face);
+            if normal.dot(direction) > 0.5 {
+                show(normal);
+            }
+        }
+    }
 }

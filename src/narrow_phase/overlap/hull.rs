@@ -23,6 +23,7 @@ pub(super) struct Hull<'a> {
 
 impl<'a> Hull<'a> {
     /// The shape at `pose` with its centre at `offset`; none for a sphere.
+    #[inline]
     pub(super) fn new(shape: &'a Shape, pose: &Pose, offset: DVec3) -> Option<Self> {
         Some(Self {
             shape,
@@ -52,6 +53,53 @@ impl<'a> Hull<'a> {
         let local = self.mesh.vertices.get(index as usize).copied();
         debug_assert!(local.is_some(), "no vertex {index}");
         self.rotation * (local.unwrap_or(self.centre) - self.centre)
+    }
+
+    /// A vertex as seen from the centre, in its own frame.
+    #[inline]
+    pub(super) fn local_from_centre(&self, index: usize) -> Option<DVec3> {
+        self.mesh
+            .vertices
+            .get(index)
+            .map(|&local| local - self.centre)
+    }
+
+    /// How it is turned.
+    pub(super) fn rotation(&self) -> DMat3 {
+        self.rotation
+    }
+
+    /// Hands each face's normal, in its own frame, and how far the face lies from the centre, to
+    /// `tell` with a place for what becomes of them. Triangles have no faces in this sense.
+    #[inline]
+    pub(super) fn for_each_plane<P>(
+        &self,
+        places: impl Iterator<Item = P>,
+        mut tell: impl FnMut(DVec3, f64, P),
+    ) {
+        match self.shape {
+            Shape::Sphere(_) | Shape::Triangle(_) => {}
+            Shape::Cuboid(cuboid) => {
+                for (face, place) in (0..6).zip(places) {
+                    let side = if face & 1 == 1 { 1.0 } else { -1.0 };
+                    let half = cuboid.half_extents()[face / 2];
+                    tell(side * DVec3::AXES[face / 2], half, place);
+                }
+            }
+            Shape::Polytope(polytope) => {
+                let planes = polytope.face_normals().iter().zip(polytope.face_offsets());
+                for ((&normal, offset), place) in planes.zip(places) {
+                    tell(normal, offset - normal.dot(self.centre), place);
+                }
+            }
+        }
+    }
+
+    /// How far, in metres, a point of a face may lie below the plane that
+    /// [`for_each_plane`](Self::for_each_plane) tells: a face may be dented by rounding of its coordinates,
+    /// which may be large beside its size.
+    pub(super) fn plane_error(&self) -> f64 {
+        1e-10 * self.radius + 256.0 * f64::EPSILON * self.centre.abs().max_element()
     }
 
     /// From an edge's first vertex to its second; not of unit length.
@@ -121,11 +169,16 @@ impl<'a> Hull<'a> {
         let local = self.rotation.transpose() * direction;
         let height = |vertex: DVec3| (vertex - self.centre).dot(local);
         let vertices = || self.mesh.vertices.iter().copied();
-        let top = vertices().map(height).fold(f64::NEG_INFINITY, f64::max);
-        (0..)
-            .zip(vertices())
-            .filter_map(|(index, vertex)| (top - height(vertex) <= margin).then_some(index))
-            .collect()
+        let top = vertices()
+            .map(height)
+            .fold(f64::NEG_INFINITY, |a, b| if b > a { b } else { a });
+        let mut near = Vertices::new();
+        for (index, vertex) in (0..).zip(vertices()) {
+            if top - height(vertex) <= margin {
+                near.push(index);
+            }
+        }
+        near
     }
 }
 
@@ -134,9 +187,10 @@ fn farthest(points: &[DVec3], direction: DVec3) -> u32 {
     let (mut best, mut height) = (0, f64::NEG_INFINITY);
     for (index, point) in points.iter().enumerate() {
         let along = point.dot(direction);
-        if along > height {
-            (best, height) = (index, along);
-        }
+        // Told apart without a branch that nobody can foresee.
+        let is_farther = along > height;
+        best = if is_farther { index } else { best };
+        height = if is_farther { along } else { height };
     }
     best as u32
 }

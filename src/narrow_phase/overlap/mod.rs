@@ -7,6 +7,7 @@
 //! that parts them, is K's support there, `max d·b − min d·a`; the depth is the
 //! least width over all directions.
 
+mod apart;
 mod boxes;
 mod enclose;
 mod expand;
@@ -21,6 +22,7 @@ pub(in crate::narrow_phase) mod witness;
 
 use crate::geometry::{Feature, Pose, Shape};
 use crate::tolerance::touch_tolerance;
+pub(crate) use apart::keep_apart;
 use glam::DVec3;
 use pair::Pair;
 pub(crate) use sphere::Nearest;

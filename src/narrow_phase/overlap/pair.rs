@@ -22,6 +22,7 @@ pub(super) struct Pair<'a> {
 
 impl<'a> Pair<'a> {
     /// None if one of the shapes is a sphere.
+    #[inline]
     pub(super) fn new(
         a: &'a Shape,
         pose_a: &Pose,

@@ -25,16 +25,34 @@ impl Pair<'_> {
         let (feature_a, vertices_a) = feature(&self.a, -direction);
         let (feature_b, vertices_b) = feature(&self.b, direction);
         let (x, y) = orthonormal(direction);
-        let flat = |hull: &Hull, vertices: &[u32]| {
-            let points = vertices.iter().map(|&vertex| {
-                let point = hull.point(vertex);
-                DVec2::new(point.dot(x), point.dot(y))
-            });
-            around(points.collect())
+        let flat = |hull: &Hull, vertex: u32| {
+            let point = hull.point(vertex);
+            DVec2::new(point.dot(x), point.dot(y))
         };
-        let shared = middle(&flat(&self.a, &vertices_a), &flat(&self.b, &vertices_b));
-        let bottom = self.a.support(-direction).dot(direction);
-        let top = self.b.support(direction).dot(direction);
+        let corners = |hull: &Hull, vertices: &[u32]| {
+            let corners: Polygon = vertices.iter().map(|&vertex| flat(hull, vertex)).collect();
+            // The ends of an edge may come in any order.
+            if corners.len() > 2 {
+                around(corners)
+            } else {
+                corners
+            }
+        };
+        let shared = match (&*vertices_a, &*vertices_b) {
+            // Most touch with one vertex, which need not be looked for among others.
+            ([vertex], _) => flat(&self.a, *vertex),
+            (_, [vertex]) => flat(&self.b, *vertex),
+            _ => middle(
+                &corners(&self.a, &vertices_a),
+                &corners(&self.b, &vertices_b),
+            ),
+        };
+        let height = |hull: &Hull, vertices: &[u32], side: f64| {
+            let along = |&vertex: &u32| side * hull.point(vertex).dot(direction);
+            side * vertices.iter().map(along).fold(f64::NEG_INFINITY, f64::max)
+        };
+        let bottom = height(&self.a, &vertices_a, -1.0);
+        let top = height(&self.b, &vertices_b, 1.0);
         Some(Overlap {
             depth: width,
             direction,
@@ -52,7 +70,13 @@ fn feature(hull: &Hull, direction: DVec3) -> (Feature, Vertices) {
         let vertex = vertices.first().copied().unwrap_or(0);
         return (Feature::Vertex(vertex), vertices);
     }
-    let is_inside = |vertex: u32| vertices.binary_search(&vertex).is_ok();
+    // A bit for each of the first vertices; the others are looked for.
+    let bit = |vertex: u32| 1_u64.checked_shl(vertex).unwrap_or(0);
+    let first_ones = vertices.iter().fold(0, |bits, &vertex| bits | bit(vertex));
+    let is_inside = |vertex: u32| match bit(vertex) {
+        0 => vertices.binary_search(&vertex).is_ok(),
+        bit => first_ones & bit != 0,
+    };
     let edges = (0..).zip(hull.edges()).filter_map(|(index, edge)| {
         edge.vertices
             .iter()
