@@ -36,6 +36,19 @@ fn who_faces_its_way_far_from_the_origin_meets_when_it_does_in_longer_frames() {
     assert!(hits == 1 && wrong.is_empty(), "{wrong:?}");
 }
 
+/// A gap that counts as touching is wide there, and at a small angle bodies slide on for long until it is closed:
+/// touches were told 5e-8 of the horizon early, and so 2e-8 apart in frames of different length.
+#[test]
+fn who_slides_into_touch_far_from_the_origin_meets_when_the_gap_is_closed() {
+    let (hits, .., wrong) = compare(778_402..778_403);
+    assert!(hits == 1 && wrong.is_empty(), "{wrong:?}");
+    let pair = Pair::new(Draw::new(778_402 + (1 << 32)));
+    let [a, b] = &pair.bodies;
+    let found = first_contact(a, b, pair.horizon, &Method::Exact);
+    let time = found.unwrap().unwrap().fraction * pair.horizon;
+    assert!(pair.above(time).abs() < 1e-9, "{}", pair.above(time));
+}
+
 #[test]
 fn frames_of_any_length_tell_the_same_first_contact() {
     let seeds = seeds(40);
