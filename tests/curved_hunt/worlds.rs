@@ -49,6 +49,21 @@ fn who_slides_into_touch_far_from_the_origin_meets_when_the_gap_is_closed() {
     assert!(pair.above(time).abs() < 1e-9, "{}", pair.above(time));
 }
 
+/// A corner comes down on a plank's edge: 2e-8 m before it does, what is nearest tells nothing of how they touch, and
+/// normals were 0.02 apart in frames of different length.
+#[test]
+fn a_corner_that_meets_an_edge_far_from_the_origin_is_told_when_it_does() {
+    let (hits, .., wrong) = compare(9_216_317..9_216_318);
+    assert!(hits == 1 && wrong.is_empty(), "{wrong:?}");
+}
+
+/// The surface of a ball runs by a corner that comes to touch it slowly: it was told 1e-8 of the horizon late.
+#[test]
+fn how_fast_a_ball_spins_says_nothing_of_when_it_is_touched() {
+    let (hits, .., wrong) = compare(9_216_445..9_216_446);
+    assert!(hits == 1 && wrong.is_empty(), "{wrong:?}");
+}
+
 #[test]
 fn frames_of_any_length_tell_the_same_first_contact() {
     let seeds = seeds(40);

@@ -12,7 +12,41 @@ use crate::geometry::Shape;
 use crate::motion::{Bend, Stretch, TurningRate};
 use crate::narrow_phase::distance::closest_points;
 use crate::narrow_phase::overlap::overlap;
+use crate::tolerance::TOUCH;
 use glam::DVec3;
+
+/// Metres below which bodies touch.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Nearness {
+    /// As the frame begins, and as long as they slide in touch since then.
+    pub(super) resting: f64,
+    /// When they meet: far from the origin, less than that, and still some times what rounding is.
+    pub(super) meeting: f64,
+}
+
+impl Nearness {
+    /// Ulp of the coordinates; a place on a curve is right to a few.
+    const MEETING: f64 = 64.0 * f64::EPSILON;
+
+    fn of((a, b): (&Flight<'_>, &Flight<'_>), resting: f64) -> Self {
+        let coordinate =
+            (a.frame.start.abs().max(b.frame.start.abs())).max_element() + (a.speed + b.speed);
+        let meeting = TOUCH * (a.reach + b.reach) + Self::MEETING * coordinate;
+        Self {
+            resting,
+            meeting: meeting.min(resting),
+        }
+    }
+
+    #[inline]
+    pub(super) fn at(&self, time: f64) -> f64 {
+        if time > 0.0 {
+            self.meeting
+        } else {
+            self.resting
+        }
+    }
+}
 
 /// What two bodies in flight do in a frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -85,6 +119,7 @@ pub(crate) fn encounter(
         *steps += 1;
         return Encounter::Apart;
     }
+    let touch = Nearness::of((a, b), touch);
     let quick = if a.glides() && b.glides() {
         glide((a, b), touch, steps)
     } else {
@@ -133,7 +168,7 @@ fn passes_by(a: &Flight<'_>, b: &Flight<'_>, touch: f64) -> bool {
 fn search<P: Planes>(
     (a, b): (&Flight<'_>, &Flight<'_>),
     planes: P,
-    touch: f64,
+    touch: Nearness,
     time: f64,
     steps: &mut usize,
 ) -> Glide {
@@ -170,8 +205,7 @@ struct Search<'f, 'a, P> {
     b: &'f Flight<'a>,
     planes: P,
     stretches: [Stretch<'a>; 2],
-    /// Metres below which bodies touch.
-    touch: f64,
+    touch: Nearness,
     /// The bodies are proven apart until then.
     time: f64,
     /// The longest window worth looking at.
@@ -184,6 +218,15 @@ struct Search<'f, 'a, P> {
 impl<'a, P: Planes> Search<'_, 'a, P> {
     fn reach(&self) -> f64 {
         self.a.reach + self.b.reach
+    }
+
+    /// Metres below which they touch.
+    fn touch(&self) -> f64 {
+        if self.sliding {
+            self.touch.resting
+        } else {
+            self.touch.at(self.time)
+        }
     }
 
     /// One plane further; what was found, if that is the end.
@@ -238,7 +281,7 @@ impl<'a, P: Planes> Search<'_, 'a, P> {
             length: passages.length,
             to: passages.to,
         };
-        let far = |parted: &Parted| parted.distance > self.touch;
+        let far = |parted: &Parted| parted.distance > self.touch();
         if let Some(parted) = found.filter(far) {
             if self.time >= 1.0 {
                 return Some(Glide::Found(Encounter::Apart));
@@ -343,7 +386,7 @@ impl<'a, P: Planes> Search<'_, 'a, P> {
 
     /// As far as planes across `normal` part the bodies, which are `distance` apart.
     fn advance(&mut self, window: &Window<'_, '_>, normal: DVec3, distance: f64) -> Option<Glide> {
-        let floor = 0.5 * self.touch;
+        let floor = 0.5 * self.touch();
         let mut by = self.plane_advance(window, normal, floor);
         if by <= 0.0 && !P::DECIDES {
             return Some(Glide::Left(self.time));
@@ -428,7 +471,7 @@ impl<'a, P: Planes> Search<'_, 'a, P> {
 
     /// What bodies in touch do: at the frame's start they may part or slide, later they have met.
     fn in_touch(&mut self, window: &Window<'_, '_>, normal: Option<DVec3>) -> Option<Encounter> {
-        let met = meet((self.a, self.b), window, normal, self.time, self.touch);
+        let met = meet((self.a, self.b), window, normal, self.time, self.touch());
         let Meeting {
             touching,
             closing,
@@ -466,7 +509,7 @@ impl<'a, P: Planes> Search<'_, 'a, P> {
             normal: touching.normal,
             turn,
         };
-        if let Some(by) = window.parted_after(&plane, self.touch) {
+        if let Some(by) = window.parted_after(&plane, self.touch.resting) {
             self.sliding = false;
             self.go_on(by, (window.length, window.to));
             return None;

@@ -1,6 +1,6 @@
 //! The first touch of two bodies on any course that do not turn.
 
-use super::advance::Encounter;
+use super::advance::{Encounter, Nearness};
 use super::cubic::first_root;
 use super::flight::Flight;
 use super::gait::{Known, Motion};
@@ -42,7 +42,11 @@ const ROUNDING: f64 = 1e-12;
 /// and the plane is the one that parts the bodies where they are about to be.
 ///
 /// No step jumps over a touch.
-pub(super) fn glide((a, b): (&Flight<'_>, &Flight<'_>), touch: f64, steps: &mut usize) -> Glide {
+pub(super) fn glide(
+    (a, b): (&Flight<'_>, &Flight<'_>),
+    touch: Nearness,
+    steps: &mut usize,
+) -> Glide {
     let poses = [a, b].map(|flight| flight.pose_at(0.0));
     let [turned_a, turned_b] = poses.map(|pose| pose.orientation);
     let pair = Pair { a, b, touch };
@@ -74,7 +78,7 @@ pub(super) fn glide((a, b): (&Flight<'_>, &Flight<'_>), touch: f64, steps: &mut 
 struct Pair<'f, 'a> {
     a: &'f Flight<'a>,
     b: &'f Flight<'a>,
-    touch: f64,
+    touch: Nearness,
 }
 
 impl<'f, 'a> Pair<'f, 'a> {
@@ -85,7 +89,7 @@ impl<'f, 'a> Pair<'f, 'a> {
         let (a, b) = (self.a.frame, self.b.frame);
         let start = a.start - b.start;
         let way = a.displacement - b.displacement;
-        let stray = a.deviation + b.deviation + self.touch;
+        let stray = a.deviation + b.deviation + self.touch.resting;
         // Both planes: where they begin, and half way.
         [0.0, 0.5].into_iter().any(|share| {
             parting.part(start + share * way).is_some_and(|parted| {
@@ -139,8 +143,7 @@ struct Search<'f, 'a, P> {
     turned: [DQuat; 2],
     stretches: [Stretch<'a>; 2],
     parting: P,
-    /// Metres below which bodies touch.
-    touch: f64,
+    touch: Nearness,
     /// The bodies are proven apart until then.
     time: f64,
     known: Known,
@@ -192,16 +195,17 @@ impl<P: Parting> Search<'_, '_, P> {
         let last = curve.u_at(stretch.share_at(until));
         let mut u = curve.u_at(stretch.share_at(self.time));
         let velocity = curve.piece.velocity();
+        let mut touch = self.touch.at(self.time);
         loop {
             let between = sense * (curve.piece.point(u) - rest);
             let parted = self.parting.part(between);
-            let far = parted.filter(|parted| parted.distance > self.touch);
+            let far = parted.filter(|parted| parted.distance > touch);
             if far.is_some() && (u - last).abs() <= 0.0 {
                 self.time = until;
                 let ends = until >= 1.0;
                 return ends.then_some(Glide::Found(Encounter::Apart));
             }
-            let floor = 0.5 * self.touch;
+            let floor = 0.5 * touch;
             let above = far.filter(|parted| parted.gap > floor && !self.is_weary());
             let Some(parted) = above else {
                 let share = curve.share_at(u);
@@ -218,6 +222,7 @@ impl<P: Parting> Search<'_, '_, P> {
             };
             let height = |velocity: DVec3| sense * parted.normal.dot(velocity);
             let [a, b, c] = velocity.map(height);
+            touch = self.touch.meeting;
             let third = (last - u) / 3.0;
             let mix = |u: f64, a: f64, b: f64| (1.0 - u) * a + u * b;
             let blossom = |u: f64, v: f64| mix(v, mix(u, a, b), mix(u, b, c));
@@ -278,14 +283,15 @@ impl<P: Parting> Search<'_, '_, P> {
             let places = [0, 1].map(|side| self.place(side, self.time));
             let between = places[0].position - places[1].position;
             let parted = self.parting.part(between);
-            let far = parted.filter(|parted| parted.distance > self.touch);
+            let touch = self.touch.at(self.time);
+            let far = parted.filter(|parted| parted.distance > touch);
             let paces = [0, 1].map(|side| self.pace(side, &places[side]));
             let motion = Motion::of(&paces);
             if far.is_some() && self.time >= until {
                 let ends = until >= 1.0;
                 return ends.then_some(Glide::Found(Encounter::Apart));
             }
-            let floor = 0.5 * self.touch;
+            let floor = 0.5 * touch;
             let above = far.filter(|parted| parted.gap > floor && !self.is_weary());
             let Some(parted) = above else {
                 return Some(if far.is_some() {
@@ -307,7 +313,7 @@ impl<P: Parting> Search<'_, '_, P> {
         motion: &Motion,
         until: f64,
     ) {
-        let floor = 0.5 * self.touch;
+        let floor = 0.5 * self.touch.at(self.time);
         let start = parted.gap - floor;
         // Nobody is faster than this; what is lost is rounding.
         let anyhow = start / (self.flights[0].speed + self.flights[1].speed) * (1.0 - 1e-9);

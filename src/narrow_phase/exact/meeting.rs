@@ -168,19 +168,33 @@ fn nearest(a: &Shape, pose_a: &Pose, b: &Shape, pose_b: &Pose) -> Option<(Touchi
     Some((touching, 0.0))
 }
 
-/// How fast A's point moves relative to B's that lies at `point` from B's position.
+/// How fast A moves relative to B at the point that lies at `point` from B's position.
+///
+/// That of a ball moves as its centre does: a ball is the same however it is turned, and what its surface
+/// does leads off the touch.
 fn velocity_at(
     (a, b): (&Flight<'_>, &Flight<'_>),
     window: &Window<'_, '_>,
     point: DVec3,
     time: f64,
 ) -> DVec3 {
-    let of = |flight: &Flight<'_>, world: DVec3| flight.point_velocity(world, time);
-    let world = window.b.instant.pose.position + point;
+    let is_ball = |flight: &Flight<'_>| matches!(flight.shape, Shape::Sphere(_));
     if window.stray + window.turning > 0.0 {
-        return of(a, world) - of(b, world);
+        let world = window.b.instant.pose.position + point;
+        let of = |flight: &Flight<'_>, side: &Side<'_, '_>| {
+            let ball = is_ball(flight).then_some(side.instant.pose.position);
+            flight.point_velocity(ball.unwrap_or(world), time)
+        };
+        return of(a, &window.a) - of(b, &window.b);
     }
     let from_b = point - window.b.instant.hub_offset();
-    let from_a = from_b - window.offset;
-    window.velocity + window.a.spin.cross(from_a) - window.b.spin.cross(from_b)
+    let about = |flight: &Flight<'_>, side: &Side<'_, '_>, from_hub: DVec3| {
+        let from_hub = if is_ball(flight) {
+            -side.instant.hub_offset()
+        } else {
+            from_hub
+        };
+        side.spin.cross(from_hub)
+    };
+    window.velocity + about(a, &window.a, from_b - window.offset) - about(b, &window.b, from_b)
 }
