@@ -29,6 +29,9 @@ const NEAR: f64 = 1e-6;
 /// Cosine of the angle up to which a normal is the one that was expected.
 const ALIKE: f64 = 0.99;
 
+/// Share of the time in which courses turn by much, up to which a window is bounded as a whole.
+const SHORT: f64 = 0.25;
+
 /// Share of a frame that is rounding of the times at which pieces of paths meet.
 const ROUNDING: f64 = 1e-12;
 
@@ -91,8 +94,13 @@ impl<'f, 'a> Pair<'f, 'a> {
         let way = a.displacement - b.displacement;
         let stray = a.deviation + b.deviation + self.touch.resting;
         // Both planes: where they begin, and half way.
+        let centres = self.a.hub_shift() - self.b.hub_shift();
         [0.0, 0.5].into_iter().any(|share| {
-            parting.part(start + share * way).is_some_and(|parted| {
+            let between = start + share * way;
+            // No gap is wider than centres are apart, and many are not worth looking for.
+            let room = stray * stray < (between + centres).length_squared();
+            let parted = if room { parting.part(between) } else { None };
+            parted.is_some_and(|parted| {
                 let slope = parted.normal.dot(way);
                 let least = parted.gap + ((1.0 - share) * slope).min(-share * slope);
                 least > stray
@@ -243,11 +251,12 @@ impl<P: Parting> Search<'_, '_, P> {
         }
     }
 
-    fn place(&self, side: usize, time: f64) -> Place {
-        let (stretch, flight) = (&self.stretches[side], self.flights[side]);
-        match &stretch.course {
+    fn place(&mut self, side: usize, time: f64) -> Place {
+        let (stretch, flight) = (&mut self.stretches[side], self.flights[side]);
+        let share = stretch.share_at(time);
+        match &mut stretch.course {
             Course::Curve(curve) => {
-                let u = curve.u_at(stretch.share_at(time));
+                let u = curve.seek(share);
                 Place {
                     position: curve.piece.point(u),
                     u,
@@ -321,7 +330,7 @@ impl<P: Parting> Search<'_, '_, P> {
         if self.known.until <= self.time {
             let longest = self.longest.max(2.0 * anyhow);
             let length = (1.5 * ahead).min(longest).min(motion.straight_for);
-            self.known = self.bounds(places, length, until);
+            self.known = self.bounds(places, length, SHORT * motion.straight_for, until);
         }
         let window = self.known.until - self.time;
         let mut by = 0.0;
@@ -364,8 +373,8 @@ impl<P: Parting> Search<'_, '_, P> {
         .min(until);
     }
 
-    /// What bounds the motion for `length` at most; nothing beside a cusp.
-    fn bounds(&self, places: &[Place; 2], length: f64, until: f64) -> Known {
+    /// What bounds the motion for `length` at most, of which less than `short` is short; nothing beside a cusp.
+    fn bounds(&self, places: &[Place; 2], length: f64, short: f64, until: f64) -> Known {
         /// Each a quarter of the one before.
         const TRIES: u32 = 6;
         let mut length = length;
@@ -384,18 +393,26 @@ impl<P: Parting> Search<'_, '_, P> {
             for (side, place) in places.iter().enumerate() {
                 let stretch = &self.stretches[side];
                 if let Course::Curve(curve) = &stretch.course {
-                    let leave = curve.u_at(stretch.share_at(end));
-                    let middle = 0.5 * (place.u + leave);
-                    let half = |from: f64, to: f64| {
-                        Section::of(curve.piece, [from, to], curve.is_forward()).limits()
+                    let speed = self.flights[side].speed;
+                    let leave =
+                        curve.u_after(place.u, speed * (end - self.time), end >= stretch.to);
+                    let section = Section::of(curve.piece, [place.u, leave], curve.is_forward());
+                    // What bounds halves does so far better than what bounds the whole, if that is long.
+                    let limits = if length > short {
+                        let [first, second] = section.halves().map(|half| half.limits());
+                        first.zip(second).map(|(first, second)| first.and(&second))
+                    } else {
+                        section.limits()
                     };
-                    // What bounds halves does so far better than what bounds the whole.
-                    match half(place.u, middle).zip(half(middle, leave)) {
-                        Some((first, second)) => {
-                            let speed = self.flights[side].speed;
+                    match limits {
+                        Some(limits) => {
                             let square = speed * speed;
-                            known.bend += square * first.curvature.max(second.curvature);
-                            known.rise += square * speed * first.rise.max(second.rise);
+                            known.bend += square * limits.curvature;
+                            known.rise += square * speed * limits.rise;
+                            if (leave - curve.u[1]).abs() > 0.0 {
+                                // Where it leaves was guessed; it is not there before.
+                                known.until = known.until.min(self.time + limits.length / speed);
+                            }
                         }
                         None => bounded = false,
                     }
