@@ -29,7 +29,7 @@ fn share(u: f64) -> f64 {
     12.0 * (u - u * u + 2.0 * u * u * u / 3.0) / 8.0
 }
 
-fn along(shape: impl Into<feeler::Shape>, turn: DQuat) -> Body {
+fn along(shape: impl Into<Shape>, turn: DQuat) -> Body {
     Body::moving(shape, Motion::along(arch(), 8.0).unwrap()).oriented(turn)
 }
 

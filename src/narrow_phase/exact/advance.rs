@@ -4,6 +4,7 @@ use super::Touching;
 use super::flight::Flight;
 use super::gliding::{Glide, glide};
 use super::meeting::{Meeting, meet, strike};
+use super::nearness::{Nearness, passes_by};
 use super::parting::Parted;
 use super::planes::{Nearest, Place, Planes, TurningBall, TurningBoxes};
 use super::window::{Parabola, Plane, Side, Window};
@@ -12,41 +13,7 @@ use crate::geometry::Shape;
 use crate::motion::{Bend, Stretch, TurningRate};
 use crate::narrow_phase::distance::closest_points;
 use crate::narrow_phase::overlap::overlap;
-use crate::tolerance::TOUCH;
 use glam::DVec3;
-
-/// Metres below which bodies touch.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Nearness {
-    /// As the frame begins, and as long as they slide in touch since then.
-    pub(super) resting: f64,
-    /// When they meet: far from the origin, less than that, and still some times what rounding is.
-    pub(super) meeting: f64,
-}
-
-impl Nearness {
-    /// Ulp of the coordinates; a place on a curve is right to a few.
-    const MEETING: f64 = 64.0 * f64::EPSILON;
-
-    fn of((a, b): (&Flight<'_>, &Flight<'_>), resting: f64) -> Self {
-        let coordinate =
-            (a.frame.start.abs().max(b.frame.start.abs())).max_element() + (a.speed + b.speed);
-        let meeting = TOUCH * (a.reach + b.reach) + Self::MEETING * coordinate;
-        Self {
-            resting,
-            meeting: meeting.min(resting),
-        }
-    }
-
-    #[inline]
-    pub(super) fn at(&self, time: f64) -> f64 {
-        if time > 0.0 {
-            self.meeting
-        } else {
-            self.resting
-        }
-    }
-}
 
 /// What two bodies in flight do in a frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -104,7 +71,7 @@ const UNSEEN: f64 = 1e-9;
 ///
 /// Conservative advancement: the plane across the bodies' nearest points, turned along with the features
 /// that are nearest there, parts them for a time that [`Window`] computes; then comes the next plane,
-/// until they are nearer than `touch` metres. No step jumps over a touch, and each
+/// until they are nearer than `touch` metres, or far from the origin than what rounding leaves of that. No step jumps over a touch, and each
 /// leaves about the square of the gap before. Where the closing rate vanishes, in a graze, steps shrink
 /// in proportion to the time left.
 ///
@@ -146,21 +113,6 @@ pub(crate) fn encounter(
         Glide::Found(found) => found,
         Glide::Left(clear_until) => Encounter::Undecided { clear_until },
     }
-}
-
-/// Whether the spheres around both hubs pass each other by: what each strays from its chord is known.
-fn passes_by(a: &Flight<'_>, b: &Flight<'_>, touch: f64) -> bool {
-    let start = (a.frame.start - b.frame.start) + (a.hub_shift() - b.hub_shift());
-    let way = a.frame.displacement - b.frame.displacement;
-    let share = (-start.dot(way) / way.length_squared()).clamp(0.0, 1.0);
-    // NaN, of no way at all.
-    let nearest = if share > 0.0 {
-        start + share * way
-    } else {
-        start
-    };
-    let reach = (a.reach + b.reach) * (1.0 + 1e-12) + a.frame.deviation + b.frame.deviation;
-    nearest.length() > reach + touch
 }
 
 /// The general search from `time` on, until which they are proven apart.

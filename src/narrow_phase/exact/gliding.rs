@@ -1,9 +1,10 @@
 //! The first touch of two bodies on any course that do not turn.
 
-use super::advance::{Encounter, Nearness};
+use super::advance::Encounter;
 use super::cubic::first_root;
 use super::flight::Flight;
 use super::gait::{Known, Motion};
+use super::nearness::Nearness;
 use super::parting::{BallAndBox, Balls, Boxes, Hulls, Parted, Parting};
 use super::{Touching, aligned, cast};
 use crate::curve::Section;
