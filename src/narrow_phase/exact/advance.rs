@@ -71,9 +71,9 @@ const UNSEEN: f64 = 1e-9;
 ///
 /// Conservative advancement: the plane across the bodies' nearest points, turned along with the features
 /// that are nearest there, parts them for a time that [`Window`] computes; then comes the next plane,
-/// until they are nearer than `touch` metres, or far from the origin than what rounding leaves of that. No step jumps over a touch, and each
-/// leaves about the square of the gap before. Where the closing rate vanishes, in a graze, steps shrink
-/// in proportion to the time left.
+/// until they are nearer than `touch` metres, or than [`Nearness::meeting`] later on. No step jumps over a
+/// touch, and each leaves about the square of the gap before. Where the closing rate vanishes, in a graze,
+/// steps shrink in proportion to the time left.
 ///
 /// Source: Mirtich, *Impulse-based Dynamic Simulation of Rigid Body Systems* (1996), for the
 /// principle; the bounds are of the second order here.
