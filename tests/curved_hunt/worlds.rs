@@ -64,6 +64,14 @@ fn how_fast_a_ball_spins_says_nothing_of_when_it_is_touched() {
     assert!(hits == 1 && wrong.is_empty(), "{wrong:?}");
 }
 
+/// On a corner of its path a body looked the way it came, and nothing told that it was about to turn round: it
+/// turned through the other body, and was told 4 m deep in it.
+#[test]
+fn who_faces_its_way_and_stands_on_a_corner_turns_round_from_there() {
+    let (hits, .., wrong) = compare(9_403_617..9_403_618);
+    assert!(hits == 1 && wrong.is_empty(), "{wrong:?}");
+}
+
 #[test]
 fn frames_of_any_length_tell_the_same_first_contact() {
     let seeds = seeds(40);
