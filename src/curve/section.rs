@@ -37,6 +37,18 @@ impl Section {
         }
     }
 
+    /// Both halves, by the parameter.
+    pub(crate) fn halves(&self) -> [Self; 2] {
+        let [a, b, c] = self.velocity;
+        let (first, last) = (0.5 * (a + b), 0.5 * (b + c));
+        let middle = 0.5 * (first + last);
+        [[a, first, middle], [middle, last, c]].map(|velocity| Self {
+            velocity,
+            width: 0.5 * self.width,
+            sense: self.sense,
+        })
+    }
+
     /// Unit tangents at both ends, in the direction of flight; zero in a cusp.
     pub(crate) fn end_tangents(&self) -> [DVec3; 2] {
         [self.velocity[0], self.velocity[2]].map(|v| self.sense * v.normalize_or_zero())
@@ -127,6 +139,7 @@ impl Section {
         let rise =
             (sway + 3.0 * cross * change * per_speed) * square * square + curvature * curvature;
         let limits = Limits {
+            length: slowest * self.width.abs() * (1.0 - 64.0 * f64::EPSILON),
             curvature: curvature * (1.0 + 64.0 * f64::EPSILON),
             rise: rise * (1.0 + 64.0 * f64::EPSILON),
         };
@@ -194,13 +207,26 @@ impl Section {
     }
 }
 
-/// How much the unit tangent changes on a stretch of a cubic.
+/// How much the unit tangent changes at most on a stretch of a cubic.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Limits {
+    /// The stretch is at least so long, in metres.
+    pub(crate) length: f64,
     /// Of its first derivative by distance, per metre.
     pub(crate) curvature: f64,
     /// Of its second, per square metre.
     pub(crate) rise: f64,
+}
+
+impl Limits {
+    /// Of two stretches that follow on each other.
+    pub(crate) fn and(&self, next: &Self) -> Self {
+        Self {
+            length: self.length + next.length,
+            curvature: self.curvature.max(next.curvature),
+            rise: self.rise.max(next.rise),
+        }
+    }
 }
 
 /// How much the angular velocity changes at most of a body that keeps upright.

@@ -32,7 +32,11 @@ impl FrameMotion {
                     return 0.0;
                 }
                 let up = attitude.world_up();
-                let (mut most, mut last) = (0.0_f64, None);
+                // In a corner rounding may have it face as before, and then it jumps at once.
+                let facing = self.tangent_at(journey, from);
+                let forward = journey.waypoint(start).forward;
+                let mut last = Some(if forward { facing } else { -facing });
+                let mut most = 0.0_f64;
                 let known = Leg::between(journey, start, end, |leg| {
                     let [enter, leave] = leg.end_tangents();
                     let jumps = last.is_some_and(|last: DVec3| last.distance(enter) > SMOOTH);

@@ -120,23 +120,36 @@ impl Stretch<'_> {
 impl Curve<'_> {
     /// The parameter of the piece when a share of the stretch's time has passed.
     pub(crate) fn u_at(&self, share: f64) -> f64 {
+        self.u_near(share, self.near).0
+    }
+
+    /// The same for who asks again and again, each time not far from the last.
+    pub(crate) fn seek(&mut self, share: f64) -> f64 {
+        let (u, near) = self.u_near(share, self.near);
+        self.near = near;
+        u
+    }
+
+    #[inline]
+    fn u_near(&self, share: f64, near: Near) -> (f64, Near) {
         let [first, last] = self.u;
         if share <= 0.0 {
-            return first;
+            return (first, near);
         }
         if share >= 1.0 {
-            return last;
+            return (last, near);
         }
         let [start, end] = self.distances;
         let distance = start + share * (end - start);
-        let ((piece, u), _) = self.spline.locate_near(distance, self.near);
-        if piece == self.index {
+        let ((piece, u), near) = self.spline.locate_near(distance, near);
+        let u = if piece == self.index {
             u.clamp(first.min(last), first.max(last))
         } else if (piece > self.index) == (last >= first) {
             last
         } else {
             first
-        }
+        };
+        (u, near)
     }
 
     /// The share of the stretch's time that has passed when the piece's parameter is `u`.
@@ -152,6 +165,21 @@ impl Curve<'_> {
         let share = (self.spline.distance_at(self.index, u) - start) / (end - start);
         // NaN, of a stretch without length, counts as its start.
         if share > 0.0 { share.min(1.0) } else { 0.0 }
+    }
+
+    /// About what its parameter is `way` metres after it was `u`, rather more than less; the last if that is where
+    /// it `ends`.
+    pub(crate) fn u_after(&self, u: f64, way: f64, ends: bool) -> f64 {
+        /// By so much more: speeds by the parameter change.
+        const MORE: f64 = 1.125;
+        let last = self.u[1];
+        let by = MORE * way / self.piece.derivative(u).length();
+        // Not so for NaN.
+        if !ends && by < (last - u).abs() {
+            u + by.copysign(last - u)
+        } else {
+            last
+        }
     }
 
     /// Whether it is passed in the sense of its parameter.

@@ -247,24 +247,34 @@ impl Pair<'_> {
         let positions = [self.a, self.b].map(|mover| mover.frame.start);
         let coordinate = positions[0].abs().max(positions[1].abs()).max_element();
         let touch = touch_tolerance(self.reach(), coordinate);
-        let (touching, resting) =
-            match exact::encounter((&a, &b), touch, &mut self.effort.stretches) {
-                Encounter::Touch { touching, .. } => (touching, false),
-                Encounter::Resting(touching) => (touching, true),
-                Encounter::Apart => return Ok(None),
-                Encounter::Undecided { clear_until } => return Err(Undecided { clear_until }),
-            };
+        // In one order whichever is first: so what is told is mirrored to the bit.
+        let mirrored = b.comes_before(&a);
+        let (pair, origin) = if mirrored {
+            ((&b, &a), self.a)
+        } else {
+            ((&a, &b), self.b)
+        };
+        let (touching, resting) = match exact::encounter(pair, touch, &mut self.effort.stretches) {
+            Encounter::Touch { touching, .. } => (touching, false),
+            Encounter::Resting(touching) => (touching, true),
+            Encounter::Apart => return Ok(None),
+            Encounter::Undecided { clear_until } => return Err(Undecided { clear_until }),
+        };
         let Touching {
             fraction,
             point,
             normal,
-            features,
+            features: [first, second],
         } = touching;
         let contact = PairContact {
             fraction,
-            point: self.b.pose_at(fraction).position + point,
-            normal,
-            features,
+            point: origin.pose_at(fraction).position + point,
+            normal: if mirrored { -normal } else { normal },
+            features: if mirrored {
+                [second, first]
+            } else {
+                [first, second]
+            },
             kind: ContactKind::Touch,
         };
         Ok(Some(Finding { contact, resting }))

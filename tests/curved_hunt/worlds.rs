@@ -36,6 +36,42 @@ fn who_faces_its_way_far_from_the_origin_meets_when_it_does_in_longer_frames() {
     assert!(hits == 1 && wrong.is_empty(), "{wrong:?}");
 }
 
+/// A gap that counts as touching is wide there, and at a small angle bodies slide on for long until it is closed:
+/// touches were told 5e-8 of the horizon early, and so 2e-8 apart in frames of different length.
+#[test]
+fn who_slides_into_touch_far_from_the_origin_meets_when_the_gap_is_closed() {
+    let (hits, .., wrong) = compare(778_402..778_403);
+    assert!(hits == 1 && wrong.is_empty(), "{wrong:?}");
+    let pair = Pair::new(Draw::new(778_402 + (1 << 32)));
+    let [a, b] = &pair.bodies;
+    let found = first_contact(a, b, pair.horizon, &Method::Exact);
+    let time = found.unwrap().unwrap().fraction * pair.horizon;
+    assert!(pair.above(time).abs() < 1e-9, "{}", pair.above(time));
+}
+
+/// A corner comes down on a plank's edge: 2e-8 m before it does, what is nearest tells nothing of how they touch, and
+/// normals were 0.02 apart in frames of different length.
+#[test]
+fn a_corner_that_meets_an_edge_far_from_the_origin_is_told_when_it_does() {
+    let (hits, .., wrong) = compare(9_216_317..9_216_318);
+    assert!(hits == 1 && wrong.is_empty(), "{wrong:?}");
+}
+
+/// The surface of a ball runs by a corner that comes to touch it slowly: it was told 1e-8 of the horizon late.
+#[test]
+fn how_fast_a_ball_spins_says_nothing_of_when_it_is_touched() {
+    let (hits, .., wrong) = compare(9_216_445..9_216_446);
+    assert!(hits == 1 && wrong.is_empty(), "{wrong:?}");
+}
+
+/// On a corner of its path a body looked the way it came, and nothing told that it was about to turn round: it
+/// turned through the other body, and was told 4 m deep in it.
+#[test]
+fn who_faces_its_way_and_stands_on_a_corner_turns_round_from_there() {
+    let (hits, .., wrong) = compare(9_403_617..9_403_618);
+    assert!(hits == 1 && wrong.is_empty(), "{wrong:?}");
+}
+
 #[test]
 fn frames_of_any_length_tell_the_same_first_contact() {
     let seeds = seeds(40);

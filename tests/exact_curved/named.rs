@@ -1,8 +1,8 @@
 //! Curves with answers in closed form.
 
 use feeler::{
-    Body, CollisionWorld, Cuboid, Facing, FirstContactError, Knots, Method, Motion, Path, Sphere,
-    first_contact,
+    Body, CollisionWorld, Cuboid, Facing, FirstContactError, Knots, Method, Motion, Path, Polytope,
+    Shape, Sphere, first_contact,
 };
 use glam::{DQuat, DVec3};
 
@@ -29,7 +29,7 @@ fn share(u: f64) -> f64 {
     12.0 * (u - u * u + 2.0 * u * u * u / 3.0) / 8.0
 }
 
-fn along(shape: impl Into<feeler::Shape>, turn: DQuat) -> Body {
+fn along(shape: impl Into<Shape>, turn: DQuat) -> Body {
     Body::moving(shape, Motion::along(arch(), 8.0).unwrap()).oriented(turn)
 }
 
@@ -200,4 +200,52 @@ fn who_faces_its_way_in_level_flight_passes_over_a_floor() {
         let found = first_contact(&plane, &floor, 10.0, &Method::Exact);
         assert_eq!(found.map(|found| found.is_some()), Ok(touches), "{above}");
     }
+}
+
+/// Bodies that change places: the same touch to the bit, but for which is first.
+#[test]
+fn exchanged_bodies_mirror_the_contact_to_the_bit() {
+    let arch = [[-2.0, 2.0], [-2.0, -2.0], [2.0, -2.0], [2.0, 2.0]];
+    let paths = [1.0, -1.0].map(|turn| {
+        let point = |[x, y]: [f64; 2]| [turn * x, turn * (y + 0.5) - 0.5, 0.05 * x * y];
+        Path::bezier(arch.map(point)).unwrap()
+    });
+    let cube = Cuboid::new([0.5, 0.4, 0.3]).unwrap();
+    let hull = [
+        [0.5, 0.0, 0.0],
+        [0.0, 0.4, 0.1],
+        [-0.3, 0.0, 0.2],
+        [0.1, -0.2, 0.5],
+    ];
+    let shapes: [Shape; 3] = [
+        Sphere::new(0.4).unwrap().into(),
+        cube.into(),
+        Polytope::from_points(hull).unwrap().into(),
+    ];
+    let mut met = 0;
+    for (index, a) in shapes.iter().enumerate() {
+        for (other, b) in shapes.iter().enumerate() {
+            let body = |shape: &Shape, side: usize, rate: f64| {
+                let motion = Motion::along(paths[side].clone(), 8.0 - 2.0 * side as f64).unwrap();
+                let motion = if index + other == 0 {
+                    Ok(motion)
+                } else {
+                    motion.spin([1.0, 2.0, 3.0], rate)
+                };
+                Body::moving(shape.clone(), motion.unwrap())
+            };
+            let rate = (index + other) as f64;
+            let (a, b) = (body(a, 0, rate), body(b, 1, -0.5 * rate));
+            let tell = |a: &Body, b: &Body| first_contact(a, b, 1.0, &Method::Exact).unwrap();
+            let (Some(there), Some(back)) = (tell(&a, &b), tell(&b, &a)) else {
+                continue;
+            };
+            met += 1;
+            assert_eq!(there.fraction.to_bits(), back.fraction.to_bits());
+            assert_eq!(there.normal, -back.normal);
+            assert_eq!(there.point, back.point);
+            assert_eq!(there.features, [back.features[1], back.features[0]]);
+        }
+    }
+    assert!(met >= 6, "{met}");
 }

@@ -4,6 +4,7 @@ use super::Touching;
 use super::flight::Flight;
 use super::gliding::{Glide, glide};
 use super::meeting::{Meeting, meet, strike};
+use super::nearness::{Nearness, passes_by};
 use super::parting::Parted;
 use super::planes::{Nearest, Place, Planes, TurningBall, TurningBoxes};
 use super::window::{Parabola, Plane, Side, Window};
@@ -70,9 +71,9 @@ const UNSEEN: f64 = 1e-9;
 ///
 /// Conservative advancement: the plane across the bodies' nearest points, turned along with the features
 /// that are nearest there, parts them for a time that [`Window`] computes; then comes the next plane,
-/// until they are nearer than `touch` metres. No step jumps over a touch, and each
-/// leaves about the square of the gap before. Where the closing rate vanishes, in a graze, steps shrink
-/// in proportion to the time left.
+/// until they are nearer than `touch` metres, or than [`Nearness::meeting`] later on. No step jumps over a
+/// touch, and each leaves about the square of the gap before. Where the closing rate vanishes, in a graze,
+/// steps shrink in proportion to the time left.
 ///
 /// Source: Mirtich, *Impulse-based Dynamic Simulation of Rigid Body Systems* (1996), for the
 /// principle; the bounds are of the second order here.
@@ -85,6 +86,7 @@ pub(crate) fn encounter(
         *steps += 1;
         return Encounter::Apart;
     }
+    let touch = Nearness::of((a, b), touch);
     let quick = if a.glides() && b.glides() {
         glide((a, b), touch, steps)
     } else {
@@ -113,27 +115,12 @@ pub(crate) fn encounter(
     }
 }
 
-/// Whether the spheres around both hubs pass each other by: what each strays from its chord is known.
-fn passes_by(a: &Flight<'_>, b: &Flight<'_>, touch: f64) -> bool {
-    let start = (a.frame.start - b.frame.start) + (a.hub_shift() - b.hub_shift());
-    let way = a.frame.displacement - b.frame.displacement;
-    let share = (-start.dot(way) / way.length_squared()).clamp(0.0, 1.0);
-    // NaN, of no way at all.
-    let nearest = if share > 0.0 {
-        start + share * way
-    } else {
-        start
-    };
-    let reach = (a.reach + b.reach) * (1.0 + 1e-12) + a.frame.deviation + b.frame.deviation;
-    nearest.length() > reach + touch
-}
-
 /// The general search from `time` on, until which they are proven apart.
 #[inline(never)]
 fn search<P: Planes>(
     (a, b): (&Flight<'_>, &Flight<'_>),
     planes: P,
-    touch: f64,
+    touch: Nearness,
     time: f64,
     steps: &mut usize,
 ) -> Glide {
@@ -170,8 +157,7 @@ struct Search<'f, 'a, P> {
     b: &'f Flight<'a>,
     planes: P,
     stretches: [Stretch<'a>; 2],
-    /// Metres below which bodies touch.
-    touch: f64,
+    touch: Nearness,
     /// The bodies are proven apart until then.
     time: f64,
     /// The longest window worth looking at.
@@ -184,6 +170,15 @@ struct Search<'f, 'a, P> {
 impl<'a, P: Planes> Search<'_, 'a, P> {
     fn reach(&self) -> f64 {
         self.a.reach + self.b.reach
+    }
+
+    /// Metres below which they touch.
+    fn touch(&self) -> f64 {
+        if self.sliding {
+            self.touch.resting
+        } else {
+            self.touch.at(self.time)
+        }
     }
 
     /// One plane further; what was found, if that is the end.
@@ -238,7 +233,7 @@ impl<'a, P: Planes> Search<'_, 'a, P> {
             length: passages.length,
             to: passages.to,
         };
-        let far = |parted: &Parted| parted.distance > self.touch;
+        let far = |parted: &Parted| parted.distance > self.touch();
         if let Some(parted) = found.filter(far) {
             if self.time >= 1.0 {
                 return Some(Glide::Found(Encounter::Apart));
@@ -343,7 +338,7 @@ impl<'a, P: Planes> Search<'_, 'a, P> {
 
     /// As far as planes across `normal` part the bodies, which are `distance` apart.
     fn advance(&mut self, window: &Window<'_, '_>, normal: DVec3, distance: f64) -> Option<Glide> {
-        let floor = 0.5 * self.touch;
+        let floor = 0.5 * self.touch();
         let mut by = self.plane_advance(window, normal, floor);
         if by <= 0.0 && !P::DECIDES {
             return Some(Glide::Left(self.time));
@@ -428,7 +423,7 @@ impl<'a, P: Planes> Search<'_, 'a, P> {
 
     /// What bodies in touch do: at the frame's start they may part or slide, later they have met.
     fn in_touch(&mut self, window: &Window<'_, '_>, normal: Option<DVec3>) -> Option<Encounter> {
-        let met = meet((self.a, self.b), window, normal, self.time, self.touch);
+        let met = meet((self.a, self.b), window, normal, self.time, self.touch());
         let Meeting {
             touching,
             closing,
@@ -466,7 +461,7 @@ impl<'a, P: Planes> Search<'_, 'a, P> {
             normal: touching.normal,
             turn,
         };
-        if let Some(by) = window.parted_after(&plane, self.touch) {
+        if let Some(by) = window.parted_after(&plane, self.touch.resting) {
             self.sliding = false;
             self.go_on(by, (window.length, window.to));
             return None;

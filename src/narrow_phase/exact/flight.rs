@@ -113,6 +113,25 @@ impl<'a> Flight<'a> {
         }
     }
 
+    /// Which of two is looked at first, whoever asks: one of them comes before the other, unless they are the
+    /// same in all that is compared.
+    pub(crate) fn comes_before(&self, other: &Self) -> bool {
+        let values = |flight: &Self| {
+            let (start, way) = (flight.frame.start, flight.frame.displacement);
+            [
+                start.x,
+                start.y,
+                start.z,
+                way.x,
+                way.y,
+                way.z,
+                flight.reach,
+                flight.arm,
+            ]
+        };
+        values(self) < values(other)
+    }
+
     /// Where the body is at a fraction of the frame, and how it is turned.
     pub(super) fn pose_at(&self, fraction: f64) -> Pose {
         self.frame.pose_at(self.motion, self.orientation, fraction)

@@ -4,6 +4,7 @@ use super::advance::Encounter;
 use super::cubic::first_root;
 use super::flight::Flight;
 use super::gait::{Known, Motion};
+use super::nearness::Nearness;
 use super::parting::{BallAndBox, Balls, Boxes, Hulls, Parted, Parting};
 use super::{Touching, aligned, cast};
 use crate::curve::Section;
@@ -29,6 +30,9 @@ const NEAR: f64 = 1e-6;
 /// Cosine of the angle up to which a normal is the one that was expected.
 const ALIKE: f64 = 0.99;
 
+/// Share of the time in which courses turn by much, up to which a window is bounded as a whole.
+const SHORT: f64 = 0.25;
+
 /// Share of a frame that is rounding of the times at which pieces of paths meet.
 const ROUNDING: f64 = 1e-12;
 
@@ -42,7 +46,11 @@ const ROUNDING: f64 = 1e-12;
 /// and the plane is the one that parts the bodies where they are about to be.
 ///
 /// No step jumps over a touch.
-pub(super) fn glide((a, b): (&Flight<'_>, &Flight<'_>), touch: f64, steps: &mut usize) -> Glide {
+pub(super) fn glide(
+    (a, b): (&Flight<'_>, &Flight<'_>),
+    touch: Nearness,
+    steps: &mut usize,
+) -> Glide {
     let poses = [a, b].map(|flight| flight.pose_at(0.0));
     let [turned_a, turned_b] = poses.map(|pose| pose.orientation);
     let pair = Pair { a, b, touch };
@@ -74,7 +82,7 @@ pub(super) fn glide((a, b): (&Flight<'_>, &Flight<'_>), touch: f64, steps: &mut 
 struct Pair<'f, 'a> {
     a: &'f Flight<'a>,
     b: &'f Flight<'a>,
-    touch: f64,
+    touch: Nearness,
 }
 
 impl<'f, 'a> Pair<'f, 'a> {
@@ -85,10 +93,15 @@ impl<'f, 'a> Pair<'f, 'a> {
         let (a, b) = (self.a.frame, self.b.frame);
         let start = a.start - b.start;
         let way = a.displacement - b.displacement;
-        let stray = a.deviation + b.deviation + self.touch;
+        let stray = a.deviation + b.deviation + self.touch.resting;
         // Both planes: where they begin, and half way.
+        let centres = self.a.hub_shift() - self.b.hub_shift();
         [0.0, 0.5].into_iter().any(|share| {
-            parting.part(start + share * way).is_some_and(|parted| {
+            let between = start + share * way;
+            // No gap is wider than centres are apart, and many are not worth looking for.
+            let room = stray * stray < (between + centres).length_squared();
+            let parted = if room { parting.part(between) } else { None };
+            parted.is_some_and(|parted| {
                 let slope = parted.normal.dot(way);
                 let least = parted.gap + ((1.0 - share) * slope).min(-share * slope);
                 least > stray
@@ -139,8 +152,7 @@ struct Search<'f, 'a, P> {
     turned: [DQuat; 2],
     stretches: [Stretch<'a>; 2],
     parting: P,
-    /// Metres below which bodies touch.
-    touch: f64,
+    touch: Nearness,
     /// The bodies are proven apart until then.
     time: f64,
     known: Known,
@@ -192,16 +204,17 @@ impl<P: Parting> Search<'_, '_, P> {
         let last = curve.u_at(stretch.share_at(until));
         let mut u = curve.u_at(stretch.share_at(self.time));
         let velocity = curve.piece.velocity();
+        let mut touch = self.touch.at(self.time);
         loop {
             let between = sense * (curve.piece.point(u) - rest);
             let parted = self.parting.part(between);
-            let far = parted.filter(|parted| parted.distance > self.touch);
+            let far = parted.filter(|parted| parted.distance > touch);
             if far.is_some() && (u - last).abs() <= 0.0 {
                 self.time = until;
                 let ends = until >= 1.0;
                 return ends.then_some(Glide::Found(Encounter::Apart));
             }
-            let floor = 0.5 * self.touch;
+            let floor = 0.5 * touch;
             let above = far.filter(|parted| parted.gap > floor && !self.is_weary());
             let Some(parted) = above else {
                 let share = curve.share_at(u);
@@ -218,6 +231,7 @@ impl<P: Parting> Search<'_, '_, P> {
             };
             let height = |velocity: DVec3| sense * parted.normal.dot(velocity);
             let [a, b, c] = velocity.map(height);
+            touch = self.touch.meeting;
             let third = (last - u) / 3.0;
             let mix = |u: f64, a: f64, b: f64| (1.0 - u) * a + u * b;
             let blossom = |u: f64, v: f64| mix(v, mix(u, a, b), mix(u, b, c));
@@ -238,11 +252,12 @@ impl<P: Parting> Search<'_, '_, P> {
         }
     }
 
-    fn place(&self, side: usize, time: f64) -> Place {
-        let (stretch, flight) = (&self.stretches[side], self.flights[side]);
-        match &stretch.course {
+    fn place(&mut self, side: usize, time: f64) -> Place {
+        let (stretch, flight) = (&mut self.stretches[side], self.flights[side]);
+        let share = stretch.share_at(time);
+        match &mut stretch.course {
             Course::Curve(curve) => {
-                let u = curve.u_at(stretch.share_at(time));
+                let u = curve.seek(share);
                 Place {
                     position: curve.piece.point(u),
                     u,
@@ -278,14 +293,15 @@ impl<P: Parting> Search<'_, '_, P> {
             let places = [0, 1].map(|side| self.place(side, self.time));
             let between = places[0].position - places[1].position;
             let parted = self.parting.part(between);
-            let far = parted.filter(|parted| parted.distance > self.touch);
+            let touch = self.touch.at(self.time);
+            let far = parted.filter(|parted| parted.distance > touch);
             let paces = [0, 1].map(|side| self.pace(side, &places[side]));
             let motion = Motion::of(&paces);
             if far.is_some() && self.time >= until {
                 let ends = until >= 1.0;
                 return ends.then_some(Glide::Found(Encounter::Apart));
             }
-            let floor = 0.5 * self.touch;
+            let floor = 0.5 * touch;
             let above = far.filter(|parted| parted.gap > floor && !self.is_weary());
             let Some(parted) = above else {
                 return Some(if far.is_some() {
@@ -307,7 +323,7 @@ impl<P: Parting> Search<'_, '_, P> {
         motion: &Motion,
         until: f64,
     ) {
-        let floor = 0.5 * self.touch;
+        let floor = 0.5 * self.touch.at(self.time);
         let start = parted.gap - floor;
         // Nobody is faster than this; what is lost is rounding.
         let anyhow = start / (self.flights[0].speed + self.flights[1].speed) * (1.0 - 1e-9);
@@ -315,7 +331,7 @@ impl<P: Parting> Search<'_, '_, P> {
         if self.known.until <= self.time {
             let longest = self.longest.max(2.0 * anyhow);
             let length = (1.5 * ahead).min(longest).min(motion.straight_for);
-            self.known = self.bounds(places, length, until);
+            self.known = self.bounds(places, length, SHORT * motion.straight_for, until);
         }
         let window = self.known.until - self.time;
         let mut by = 0.0;
@@ -358,8 +374,8 @@ impl<P: Parting> Search<'_, '_, P> {
         .min(until);
     }
 
-    /// What bounds the motion for `length` at most; nothing beside a cusp.
-    fn bounds(&self, places: &[Place; 2], length: f64, until: f64) -> Known {
+    /// What bounds the motion for `length` at most, of which less than `short` is short; nothing beside a cusp.
+    fn bounds(&self, places: &[Place; 2], length: f64, short: f64, until: f64) -> Known {
         /// Each a quarter of the one before.
         const TRIES: u32 = 6;
         let mut length = length;
@@ -378,18 +394,26 @@ impl<P: Parting> Search<'_, '_, P> {
             for (side, place) in places.iter().enumerate() {
                 let stretch = &self.stretches[side];
                 if let Course::Curve(curve) = &stretch.course {
-                    let leave = curve.u_at(stretch.share_at(end));
-                    let middle = 0.5 * (place.u + leave);
-                    let half = |from: f64, to: f64| {
-                        Section::of(curve.piece, [from, to], curve.is_forward()).limits()
+                    let speed = self.flights[side].speed;
+                    let leave =
+                        curve.u_after(place.u, speed * (end - self.time), end >= stretch.to);
+                    let section = Section::of(curve.piece, [place.u, leave], curve.is_forward());
+                    // What bounds halves does so far better than what bounds the whole, if that is long.
+                    let limits = if length > short {
+                        let [first, second] = section.halves().map(|half| half.limits());
+                        first.zip(second).map(|(first, second)| first.and(&second))
+                    } else {
+                        section.limits()
                     };
-                    // What bounds halves does so far better than what bounds the whole.
-                    match half(place.u, middle).zip(half(middle, leave)) {
-                        Some((first, second)) => {
-                            let speed = self.flights[side].speed;
+                    match limits {
+                        Some(limits) => {
                             let square = speed * speed;
-                            known.bend += square * first.curvature.max(second.curvature);
-                            known.rise += square * speed * first.rise.max(second.rise);
+                            known.bend += square * limits.curvature;
+                            known.rise += square * speed * limits.rise;
+                            if (leave - curve.u[1]).abs() > 0.0 {
+                                // Where it leaves was guessed; it is not there before.
+                                known.until = known.until.min(self.time + limits.length / speed);
+                            }
                         }
                         None => bounded = false,
                     }

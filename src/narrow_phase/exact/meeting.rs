@@ -20,6 +20,13 @@ pub(super) struct Meeting {
 /// Share of the pair's size that a touch may be away along the motion.
 const NEAR: f64 = 1e-6;
 
+/// Share of the pair's size that bodies may slide on while they close a gap that counts as touching: far from
+/// the origin, where that is wide, and at a small angle it may take them long.
+const ALONG: f64 = 1e-3;
+
+/// Looks from where bodies stand by then: each leaves some thousandth of what the one before did.
+const LOOKS: u32 = 4;
+
 /// Share of the pair's size that the point of touch may be off because bodies turn or slide in the last bit of the way.
 const BESIDE: f64 = 1e-11;
 
@@ -60,33 +67,44 @@ pub(super) fn meet(
         ));
     let velocity = velocity_at((a, b), window, touching.point, time);
     let speed = velocity.length();
+    let is_near = |by: f64, normal: DVec3| {
+        let (way, gap) = (by.abs() * speed, by.abs() * normal.dot(velocity).abs());
+        way <= NEAR * reach || gap <= 4.0 * touch && way <= ALONG * reach
+    };
     let mut later = gap / -touching.normal.dot(velocity);
     if let Some(found) = cast(shape_a, &pose_a, shape_b, &pose_b, velocity) {
-        let near = found.fraction.abs() * speed <= NEAR * reach;
         let steep = -found.normal.dot(velocity) > NEAR * speed;
-        if near && steep && found.normal.dot(touching.normal) > 0.99 {
+        let alike = found.normal.dot(touching.normal) > 0.99;
+        if is_near(found.fraction, found.normal) && steep && alike {
             later = found.fraction;
             touching = found;
         }
     }
     let closing = -touching.normal.dot(velocity);
-    let late = later > 0.0 && later * speed <= NEAR * reach + 4.0 * touch;
+    let late = later > 0.0 && is_near(later, touching.normal);
     if !late {
         later = 0.0;
     }
     // Who turns or slides on meanwhile touches a little beside: once more from where they stand by
     // then. Far from the origin, where `touch` is wide, this matters.
     let turning = |side: &Side<'_, '_>| side.arm * side.spin.length();
-    let turning = turning(&window.a) + turning(&window.b) + window.turning;
-    if later * (speed + turning) > BESIDE * reach {
-        let [by_a, by_b] = [a, b].map(|flight| flight.pose_at((time + later).min(1.0)));
-        if let Some(found) = cast(shape_a, &by_a, shape_b, &by_b, velocity) {
-            let near = found.fraction.abs() * speed <= NEAR * reach;
-            if near && found.normal.dot(touching.normal) > 0.99 {
-                later += found.fraction;
-                touching = found;
-            }
+    let going = speed + turning(&window.a) + turning(&window.b) + window.turning;
+    let mut off = later;
+    for _ in 0..LOOKS {
+        if off.abs() * going <= BESIDE * reach {
+            break;
         }
+        let [by_a, by_b] = [a, b].map(|flight| flight.pose_at((time + later).min(1.0)));
+        let Some(found) = cast(shape_a, &by_a, shape_b, &by_b, velocity) else {
+            break;
+        };
+        let near = found.fraction.abs() * speed <= NEAR * reach;
+        if !(near && found.normal.dot(touching.normal) > 0.99) {
+            break;
+        }
+        off = found.fraction;
+        later = (later + off).max(0.0);
+        touching = found;
     }
     touching.fraction = (time + later).min(1.0);
     Some(Meeting {
@@ -150,19 +168,33 @@ fn nearest(a: &Shape, pose_a: &Pose, b: &Shape, pose_b: &Pose) -> Option<(Touchi
     Some((touching, 0.0))
 }
 
-/// How fast A's point moves relative to B's that lies at `point` from B's position.
+/// How fast A moves relative to B at the point that lies at `point` from B's position.
+///
+/// That of a ball moves as its centre does: a ball is the same however it is turned, and what its surface
+/// does leads off the touch.
 fn velocity_at(
     (a, b): (&Flight<'_>, &Flight<'_>),
     window: &Window<'_, '_>,
     point: DVec3,
     time: f64,
 ) -> DVec3 {
-    let of = |flight: &Flight<'_>, world: DVec3| flight.point_velocity(world, time);
-    let world = window.b.instant.pose.position + point;
+    let is_ball = |flight: &Flight<'_>| matches!(flight.shape, Shape::Sphere(_));
     if window.stray + window.turning > 0.0 {
-        return of(a, world) - of(b, world);
+        let world = window.b.instant.pose.position + point;
+        let of = |flight: &Flight<'_>, side: &Side<'_, '_>| {
+            let ball = is_ball(flight).then_some(side.instant.pose.position);
+            flight.point_velocity(ball.unwrap_or(world), time)
+        };
+        return of(a, &window.a) - of(b, &window.b);
     }
     let from_b = point - window.b.instant.hub_offset();
-    let from_a = from_b - window.offset;
-    window.velocity + window.a.spin.cross(from_a) - window.b.spin.cross(from_b)
+    let about = |flight: &Flight<'_>, side: &Side<'_, '_>, from_hub: DVec3| {
+        let from_hub = if is_ball(flight) {
+            -side.instant.hub_offset()
+        } else {
+            from_hub
+        };
+        side.spin.cross(from_hub)
+    };
+    window.velocity + about(a, &window.a, from_b - window.offset) - about(b, &window.b, from_b)
 }

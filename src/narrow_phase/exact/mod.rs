@@ -34,6 +34,7 @@ mod flight;
 mod gait;
 mod gliding;
 mod meeting;
+mod nearness;
 mod normal_cone;
 mod pair;
 mod parting;

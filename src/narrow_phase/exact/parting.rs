@@ -83,7 +83,12 @@ pub(super) struct Boxes {
     y: [f64; LANES],
     z: [f64; LANES],
     reach: [f64; LANES],
+    /// Whether both are turned alike, and three axes do.
+    aligned: bool,
 }
+
+/// Of boxes turned alike, the first lanes.
+const FEW: usize = 4;
 
 /// Fifteen axes, and one that repeats another.
 const LANES: usize = 16;
@@ -106,7 +111,16 @@ impl Boxes {
             y: [0.0; LANES],
             z: [0.0; LANES],
             reach: [f64::INFINITY; LANES],
+            aligned: a.1 == b.1,
         };
+        if boxes.aligned {
+            let (size, rotation) = (a.0.half_extents() + b.0.half_extents(), &rotations[0]);
+            for axis in 0..3 {
+                (boxes.x[axis], boxes.y[axis], boxes.z[axis]) = rotation.col(axis).into();
+                boxes.reach[axis] = size[axis];
+            }
+            return boxes;
+        }
         let [of_a, of_b] = rotations.map(|r| [r.x_axis, r.y_axis, r.z_axis]);
         for axis in 0..3 {
             boxes.put(axis, of_b[axis], &edges);
@@ -134,18 +148,19 @@ impl Boxes {
     }
 }
 
-impl Parting for Boxes {
+impl Boxes {
+    /// The widest gap along the first axes.
     #[inline]
-    fn part(&mut self, between: DVec3) -> Option<Parted> {
-        let mut heights = [0.0; LANES];
-        let mut gaps = [0.0; LANES];
-        for lane in 0..LANES {
+    fn widest<const COUNT: usize>(&self, between: DVec3) -> Option<Parted> {
+        let mut heights = [0.0; COUNT];
+        let mut gaps = [0.0; COUNT];
+        for lane in 0..COUNT {
             heights[lane] =
                 self.x[lane] * between.x + self.y[lane] * between.y + self.z[lane] * between.z;
             gaps[lane] = heights[lane].abs() - self.reach[lane];
         }
         let mut best = 0;
-        for lane in 1..LANES {
+        for lane in 1..COUNT {
             if gaps[lane] > gaps[best] {
                 best = lane;
             }
@@ -157,6 +172,17 @@ impl Parting for Boxes {
             gap,
             distance: gap,
         })
+    }
+}
+
+impl Parting for Boxes {
+    #[inline]
+    fn part(&mut self, between: DVec3) -> Option<Parted> {
+        if self.aligned {
+            self.widest::<FEW>(between)
+        } else {
+            self.widest::<LANES>(between)
+        }
     }
 }
 
