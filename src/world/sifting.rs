@@ -36,6 +36,10 @@ impl Frame<'_> {
         for (place, pair) in left.iter_mut().zip(pairs) {
             *place = *pair;
         }
+        // Rays take so long that memory is not what they wait for.
+        if self.config.method != Method::Exact {
+            return count;
+        }
         let is_ball = |id: &LeafId| at(*id).is_none_or(|leaf| leaf.data.is_ball);
         if pairs.iter().all(|(a, b)| is_ball(a) && is_ball(b)) {
             return count;
@@ -84,10 +88,7 @@ impl Frame<'_> {
         let (Some(hull_a), Some(hull_b)) = (polytope(body_a), polytope(body_b)) else {
             return false;
         };
-        if self.config.method != Method::Exact
-            || !is_straight(&a, body_a)
-            || !is_straight(&b, body_b)
-        {
+        if !is_straight(&a, body_a) || !is_straight(&b, body_b) {
             return false;
         }
         let (offset, motion, slack) = approach(a.data, b.data, self.span);
