@@ -210,7 +210,7 @@ impl RayCaster {
     /// Casts the first rays and finds the shortest, and the shortest from an edge.
     fn cast_all(&mut self, facing: &Facing<'_>) -> [Option<Shortest>; 2] {
         let (mut best, mut best_edge) = (None::<Shortest>, None::<Shortest>);
-        let margin = PREFERENCE * facing.size();
+        let (mut shortest, margin) = (f64::INFINITY, PREFERENCE * facing.size());
         for behind in [false, true] {
             let starts = if behind { &self.behind } else { &self.ahead };
             if behind {
@@ -220,7 +220,7 @@ impl RayCaster {
             }
             let surface = starts.surface();
             for (index, &gap) in self.gaps.iter().enumerate() {
-                let beaten = best.is_some_and(|best| best.gap < gap - margin);
+                let beaten = shortest < gap - margin;
                 // Most rays are longer than one before them.
                 if beaten && index < surface {
                     continue;
@@ -240,6 +240,7 @@ impl RayCaster {
                         continue;
                     }
                     facing.keep_shorter(&mut best, found);
+                    shortest = best.map_or(shortest, |best| best.gap);
                     if matches!(origin, Origin::Edge { .. }) {
                         facing.keep_shorter(&mut best_edge, found);
                     }

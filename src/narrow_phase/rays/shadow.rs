@@ -189,10 +189,10 @@ impl<'a> Shadow<'a> {
         out.clear();
         let points = xs.iter().zip(ys).map(|(&x, &y)| DVec2::new(x, y));
         match self.surface {
-            // Without a branch inside, so that the compiler does several points at a time.
+            // All that is needed at hand, so that the compiler does several points at a time.
             Surface::Ball { radius } => {
-                let sign = side.sign();
-                out.extend(points.map(|point| self.ball_depth(radius, sign, point)));
+                let (centre, slack, sign) = (self.centre, self.slack, side.sign());
+                out.extend(points.map(|point| ball_depth(centre, radius, slack, sign, point)));
             }
             Surface::Facets(_) | Surface::Flat(_) => {
                 out.extend(points.map(|point| self.depth(side, point)));
@@ -204,23 +204,13 @@ impl<'a> Shadow<'a> {
     #[inline]
     pub(super) fn depth(&self, side: Side, point: DVec2) -> f64 {
         if let Surface::Ball { radius } = self.surface {
-            return self.ball_depth(radius, side.sign(), point);
+            return ball_depth(self.centre, radius, self.slack, side.sign(), point);
         }
         match (self.span(point.x, point.y), side) {
             (Some((near, _)), Side::Near) => near,
             (Some((_, far)), Side::Far) => far,
             (None, _) => f64::NAN,
         }
-    }
-
-    /// [`depth`](Self::depth) of a ball, by the sign of the side.
-    #[inline]
-    fn ball_depth(&self, radius: f64, sign: f64, point: DVec2) -> f64 {
-        let squared = radius * radius - (point - self.centre.truncate()).length_squared();
-        let grazing = squared < 0.0 && squared >= -2.0 * radius * self.slack;
-        // Below the slack the root is of a negative number: NaN, a miss.
-        let height = if grazing { 0.0 } else { squared }.sqrt();
-        self.centre.z + sign * height
     }
 
     /// Where the line through `(x, y)` enters and leaves the body.
@@ -290,6 +280,17 @@ impl<'a> Shadow<'a> {
             }
         }
     }
+}
+
+/// Where the line through a point enters a ball or leaves it, by the sign of the side.
+#[inline]
+fn ball_depth(centre: DVec3, radius: f64, slack: f64, sign: f64, point: DVec2) -> f64 {
+    let squared = radius * radius - (point - centre.truncate()).length_squared();
+    // Without a branch: by `&`, not `&&`.
+    let grazing = (squared < 0.0) & (squared >= -2.0 * radius * slack);
+    // Below the slack the root is of a negative number: NaN, a miss.
+    let height = if grazing { 0.0 } else { squared }.sqrt();
+    centre.z + sign * height
 }
 
 /// Which of a line's two points on a body is meant.
