@@ -9,7 +9,7 @@ use glam::DVec3;
 pub const MAX_ORIGIN: f64 = 1e100;
 
 /// Directions whose squares lie between these are used as they are.
-const PLAIN_SQUARES: std::ops::RangeInclusive<f64> = 1e-100..=1e100;
+pub(crate) const PLAIN_SQUARES: std::ops::RangeInclusive<f64> = 1e-100..=1e100;
 
 /// The line through a ray: finite, with a direction whose square neither
 /// overflows nor underflows.
@@ -67,20 +67,15 @@ impl Line {
 /// direction zero.
 #[inline(always)]
 pub(crate) fn scale(origin: DVec3, direction: DVec3) -> Option<f64> {
+    // A NaN fails these comparisons.
+    let plain = PLAIN_SQUARES.contains(&direction.length_squared())
+        && origin.length_squared() <= MAX_ORIGIN * MAX_ORIGIN;
     // By value: a reference would send the vectors through memory in the usual case as well.
-    if is_plain(origin, direction) {
+    if plain {
         Some(1.0)
     } else {
         rescaled(origin, direction)
     }
-}
-
-/// Whether a ray can be computed with as it is.
-#[inline(always)]
-pub(crate) fn is_plain(origin: DVec3, direction: DVec3) -> bool {
-    // A NaN fails these comparisons.
-    PLAIN_SQUARES.contains(&direction.length_squared())
-        && origin.length_squared() <= MAX_ORIGIN * MAX_ORIGIN
 }
 
 #[cold]

@@ -50,7 +50,7 @@ mod walk;
 
 pub use hit::RayHit;
 pub use line::MAX_ORIGIN;
-pub(crate) use line::{is_plain, scale};
+pub(crate) use line::{PLAIN_SQUARES, scale};
 pub use span::{RaySpan, SurfacePoint};
 pub(crate) use sphere::power;
 

@@ -2,8 +2,9 @@
 
 use crate::check::{Checked, check, size};
 use crate::draw::{Cast, Draw, KINDS};
-use feeler::{Shape, Sphere};
-use glam::DVec3;
+use feeler::narrow_phase::exact::{crossing, touch};
+use feeler::{Pose, Shape, Sphere};
+use glam::{DQuat, DVec3};
 
 /// `casts`, or so many times as many as the environment's `CASTS` says: a hunt.
 fn effort(casts: usize) -> usize {
@@ -168,4 +169,55 @@ fn thin_hulls_agree_with_the_oracle() {
         cast.position -= 5.0 * draw.unit() * cast.motion;
         cast
     });
+}
+
+/// `touch` has a way of its own for two balls in the usual case, and what it says is the same to the bit.
+#[test]
+fn two_balls_touch_as_their_crossing_begins() {
+    let mut draw = Draw::new(seed(500));
+    let (mut hits, mut misses) = (0, 0);
+    for index in 0..effort(40_000) {
+        let radii = [draw.log(1e-3, 1e3), draw.log(1e-3, 1e3)];
+        let reach = radii[0] + radii[1];
+        let way = draw.direction();
+        let aside = way.cross(draw.direction()).normalize_or(DVec3::X);
+        // Anywhere, a graze to some ulp, from touch to some ulp, or from very far.
+        let share = match index % 4 {
+            1 => 1.0 + 1e-15 * draw.log(1e-1, 1e3) * (draw.unit() - 0.5),
+            _ => 1.3 * draw.unit(),
+        };
+        let back = match index % 4 {
+            2 => (1.0 - share * share).max(0.0).sqrt() * (1.0 + 1e-13 * (draw.unit() - 0.5)),
+            3 => draw.log(1e0, 1e12),
+            _ => draw.log(1e-2, 1e2),
+        };
+        let sense = if draw.unit() < 0.1 { -1.0 } else { 1.0 };
+        let start = reach * (share * aside - back * way);
+        let length = reach * sense * draw.log(1e-6, 1e6);
+        let extreme = if draw.unit() < 0.05 { 1e-60 } else { 1.0 };
+        let motion = length * extreme * way;
+        let (at, turn) = (draw.log(1e-3, 1e3) * draw.direction(), draw.direction().x);
+        let [a, b] = radii.map(|radius| Shape::from(Sphere::new(radius).unwrap()));
+        let (pose_a, pose_b) = (
+            Pose::at(at + start),
+            Pose::new(at, DQuat::from_rotation_x(turn)),
+        );
+        let enter = crossing(&a, &pose_a, &b, &pose_b, motion).map(|crossing| crossing.enter);
+        assert_eq!(
+            touch(&a, &pose_a, &b, &pose_b, motion),
+            enter,
+            "{radii:?} {start} {motion}"
+        );
+        if let Some(enter) = enter {
+            assert!(
+                (enter.normal.length() - 1.0).abs() < 2e-15,
+                "{}",
+                enter.normal.length() - 1.0
+            );
+            hits += 1;
+        } else {
+            misses += 1;
+        }
+    }
+    assert!(hits > 10_000 && misses > 5_000, "{hits} {misses}");
 }

@@ -1,9 +1,10 @@
 //! A ball cast at a ball.
 
 use super::ball_approach::{enter, normal};
-use super::ball_line::{Line, Touch};
+use super::ball_line::{Line, Touch, slack};
 use super::{Crossing, Touching};
 use crate::geometry::Feature;
+use crate::raycast::PLAIN_SQUARES;
 use glam::DVec3;
 
 /// When two balls in straight relative motion touch and part.
@@ -34,7 +35,10 @@ pub fn ball_ball(radius_a: f64, radius_b: f64, between: DVec3, motion: DVec3) ->
     line.crossing(enter, last)
 }
 
-/// What [`ball_ball`] says of the way in, without the way out.
+/// What [`ball_ball`] says of the way in, to the bit, without the way out.
+///
+/// The usual case by itself: two balls that are apart, not too far, and come together steeply enough that no
+/// digits are lost.
 #[inline(always)]
 pub(crate) fn two_balls(
     radius_a: f64,
@@ -42,26 +46,44 @@ pub(crate) fn two_balls(
     between: DVec3,
     motion: DVec3,
 ) -> Option<Touching> {
-    let radii = [radius_a, radius_b];
-    // Most lines need no rescaling. Whoever passes vectors on sends them through memory in the
-    // usual case as well, at a third of the cost: hence single numbers.
-    match Line::plain(-between, motion) {
-        Some(line) => {
-            let touch = of_ball(&line, radii)?;
-            // Within such bounds all is finite.
-            let fraction = touch.fraction;
-            Some(touch.at(fraction))
+    let radius = radius_a + radius_b;
+    let near = radius * radius;
+    let (origin, direction) = (-between, motion);
+    let square = direction.length_squared();
+    // What is not finite fails one of the comparisons.
+    if PLAIN_SQUARES.contains(&square) {
+        let apart = origin.length_squared() - near;
+        let moment = origin.cross(direction);
+        let room = near * square - moment.length_squared();
+        if room < 0.0 {
+            if room < -2.0 * radius * slack(origin, radius) * square {
+                return None;
+            }
+        } else if apart > 1e-12 * near && apart <= NEAR * near {
+            let (along, half) = (-origin.dot(direction), room.sqrt());
+            if along > 0.0 && half > STEEP * along {
+                let normal = steep_normal(direction, moment, half, radius * square);
+                return Some(Touching {
+                    fraction: apart / (along + half),
+                    point: radius_b * normal,
+                    normal,
+                    features: [Feature::Surface; 2],
+                });
+            }
         }
-        None => rescaled(
-            radii, between.x, between.y, between.z, motion.x, motion.y, motion.z,
-        ),
     }
+    // Whoever passes vectors on sends them through memory in the usual case as well, at a third of the
+    // cost: hence single numbers.
+    let radii = [radius_a, radius_b];
+    unusual(
+        radii, between.x, between.y, between.z, motion.x, motion.y, motion.z,
+    )
 }
 
-/// [`two_balls`] of an extreme motion, or one that is not finite.
+/// [`two_balls`] that overlap, part, graze or are far from each other, or of which a number is extreme.
 #[cold]
 #[inline(never)]
-fn rescaled(
+fn unusual(
     radii: [f64; 2],
     x: f64,
     y: f64,
@@ -75,7 +97,17 @@ fn rescaled(
     line.touching(of_ball(&line, radii)?)
 }
 
-/// Squared distance, in radii, up to which `away` is as long as it should be but for 4 ulp.
+/// Share of the way to the closest approach that a path within the radius takes up at least where
+/// rounding cannot put the touch behind the closest approach.
+const STEEP: f64 = 1e-3;
+
+/// Out of the second ball, where the path through a radius is `half` long, times `square`.
+#[inline(always)]
+fn steep_normal(direction: DVec3, moment: DVec3, half: f64, radius_square: f64) -> DVec3 {
+    (direction.cross(moment) - half * direction) * (1.0 / radius_square)
+}
+
+/// Squared distance, in radii, up to which [`steep_normal`] is of unit length but for 4 ulp.
 ///
 /// Its square is the sum of both terms' of `room`, less that of `moment · direction` which rounding
 /// leaves: 1e-31 of the squared distance.
@@ -103,11 +135,10 @@ pub(super) fn of_ball(line: &Line, radii: [f64; 2]) -> Option<Touch> {
     let half = room.max(0.0).sqrt();
     // From the closest point: `origin + enter · direction` would lose the digits of a far
     // origin twice.
-    let away = direction.cross(moment) - half * direction;
     let normal = if room >= 0.0 && origin.length_squared() <= NEAR * (radius * radius) {
-        away * (1.0 / (radius * square))
+        steep_normal(direction, moment, half, radius * square)
     } else {
-        normal(away, radius * square)
+        normal(direction.cross(moment) - half * direction, radius * square)
     };
     Some(Touch {
         fraction: enter(origin, -origin.dot(direction), half, square, radius),

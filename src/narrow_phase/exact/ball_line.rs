@@ -2,7 +2,7 @@
 
 use super::{Crossing, Touching};
 use crate::geometry::Feature;
-use crate::raycast::{GRAZE, is_plain, scale};
+use crate::raycast::{GRAZE, scale};
 use glam::{DMat3, DVec3};
 
 /// A line in the frame of the body that stands, with a direction whose square neither
@@ -41,17 +41,6 @@ impl Line {
         })
     }
 
-    /// The line, if it needs no rescaling.
-    #[inline(always)]
-    pub(super) fn plain(origin: DVec3, direction: DVec3) -> Option<Self> {
-        is_plain(origin, direction).then(|| Self {
-            origin,
-            direction,
-            square: direction.length_squared(),
-            scale: 1.0,
-        })
-    }
-
     /// The line with another origin.
     #[inline]
     pub(super) fn begun_at(&self, origin: DVec3) -> Self {
@@ -70,7 +59,7 @@ impl Line {
     /// How far rounding may carry the line past a shape of this size that it touches.
     #[inline]
     pub(super) fn slack(&self, size: f64) -> f64 {
-        GRAZE * (self.origin.abs().max_element() + size)
+        slack(self.origin, size)
     }
 
     /// Whether the line surely stays further than `reach` from a point that its origin is
@@ -120,6 +109,12 @@ impl Line {
             leave: leave.max(enter.fraction),
         })
     }
+}
+
+/// How far rounding may carry a line from `origin` past a shape of this size that it touches.
+#[inline]
+pub(super) fn slack(origin: DVec3, size: f64) -> f64 {
+    GRAZE * (origin.abs().max_element() + size)
 }
 
 impl Touch {
