@@ -114,19 +114,28 @@ impl Frame<'_> {
     ) -> Option<Finding> {
         let (first, second) = (self.slots.at(a.slot)?, self.slots.at(b.slot)?);
         // Straight flight is worked out here, for the few that come near another.
-        let motion = |resident: &Resident, track: &Track| {
-            if track.course == Course::Path {
-                return resident.frame;
-            }
-            let (elapsed, duration) = self.span.of_motion(resident.since);
-            FrameMotion::new(resident.body.motion(), elapsed, duration)
-        };
-        let (frame_a, frame_b) = (motion(first, a.data), motion(second, b.data));
-        let (a, b) = (Mover::new(first, &frame_a), Mover::new(second, &frame_b));
+        let (mut room_a, mut room_b) = (None, None);
+        let frame_a = self.motion(first, a.data, &mut room_a);
+        let frame_b = self.motion(second, b.data, &mut room_b);
+        let (a, b) = (Mover::new(first, frame_a), Mover::new(second, frame_b));
         pair::examine(solver, &a, &b, effort).unwrap_or_else(|undecided| {
             effort.undecided += 1;
             pair::overlap_at_end(&a, &b, undecided)
         })
+    }
+
+    /// The body's motion in the frame: its own, if it was worked out, else put into `room`.
+    fn motion<'a>(
+        &self,
+        resident: &'a Resident,
+        track: &Track,
+        room: &'a mut Option<FrameMotion>,
+    ) -> &'a FrameMotion {
+        if track.course == Course::Path {
+            return &resident.frame;
+        }
+        let (elapsed, duration) = self.span.of_motion(resident.since);
+        room.insert(FrameMotion::new(resident.body.motion(), elapsed, duration))
     }
 
     fn note(&self, (first, second): (u32, u32), finding: Finding, findings: &mut Findings) {
