@@ -93,7 +93,8 @@ pub enum Refinement {
     /// Nothing: the shortest of them is the answer.
     None,
     /// Further rays ever closer around the shortest, as the thesis proposes in
-    /// §4.1.1. Aimed rays spend three quarters of their number on it, other
+    /// §4.1.1. Aimed rays spend three quarters of their number on it, but none
+    /// between two balls, whose shortest ray is among the first; other
     /// placements add as many rays as `rays` says.
     AroundShortest,
 }
