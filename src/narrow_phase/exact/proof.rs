@@ -6,7 +6,7 @@
 //! need not be believed.
 
 use super::pair::{Pair, STEEP};
-use super::settle::{Different, PARALLEL};
+use super::settle::{Different, SkewEdges};
 use super::snap::{FEATURE, Place, Touch};
 use crate::geometry::Feature;
 use glam::DVec3;
@@ -84,14 +84,12 @@ impl Pair<'_> {
 
     fn edges_cross(&self, ends_a: [u32; 2], ends_b: [u32; 2]) -> Option<Touch> {
         let (a, b) = (&self.a, &self.b);
-        let [from_a, to_a] = ends_a.map(|vertex| a.vertex(vertex));
-        let [from_b, to_b] = ends_b.map(|vertex| b.vertex(vertex));
-        let (along_a, along_b) = (to_a - from_a, to_b - from_b);
-        let cross = along_a.cross(along_b);
-        let square = cross.length_squared();
-        if square <= PARALLEL * along_a.length_squared() * along_b.length_squared() {
-            return None;
-        }
+        let SkewEdges {
+            from: [from_a, from_b],
+            along: [along_a, along_b],
+            cross,
+            square,
+        } = SkewEdges::of(self, ends_a, ends_b)?;
         let against = -1.0_f64.copysign(cross.dot(self.motion));
         let outward = cross * (against / square.sqrt());
         let time = self.steep_time(outward, outward.dot(from_b - from_a))?;

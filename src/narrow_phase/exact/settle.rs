@@ -1,13 +1,41 @@
 //! The touch afresh from plain features: a vertex on a face, or an edge across an edge.
 
-use super::pair::STEEP;
+use super::pair::{Pair, STEEP};
 use super::portal::{Portal, Shadow};
 use super::snap::{FEATURE, Place, Touch};
 use crate::geometry::Feature;
 use glam::DVec3;
 
 /// Squared sine between two edges below which `snap` computes their normal with more care.
-pub(super) const PARALLEL: f64 = 1e-4;
+const PARALLEL: f64 = 1e-4;
+
+/// An edge of A and one of B that are not nearly parallel.
+pub(super) struct SkewEdges {
+    pub(super) from: [DVec3; 2],
+    pub(super) along: [DVec3; 2],
+    pub(super) cross: DVec3,
+    /// That of the cross product.
+    pub(super) square: f64,
+}
+
+impl SkewEdges {
+    /// By the edges' ends; none if `snap` has to compute their normal.
+    #[inline]
+    pub(super) fn of(pair: &Pair, ends_a: [u32; 2], ends_b: [u32; 2]) -> Option<Self> {
+        let [from_a, to_a] = ends_a.map(|vertex| pair.a.vertex(vertex));
+        let [from_b, to_b] = ends_b.map(|vertex| pair.b.vertex(vertex));
+        let (along_a, along_b) = (to_a - from_a, to_b - from_b);
+        let cross = along_a.cross(along_b);
+        let square = cross.length_squared();
+        let skew = square > PARALLEL * along_a.length_squared() * along_b.length_squared();
+        skew.then_some(Self {
+            from: [from_a, from_b],
+            along: [along_a, along_b],
+            cross,
+            square,
+        })
+    }
+}
 
 /// The different ones of three numbers.
 pub(super) enum Different {
@@ -84,14 +112,12 @@ impl Shadow<'_> {
 
     fn edge_on_edge(&self, portal: &Portal, ends_a: [u32; 2], ends_b: [u32; 2]) -> Option<Touch> {
         let (a, b) = (&self.pair.a, &self.pair.b);
-        let [from_a, to_a] = ends_a.map(|vertex| a.vertex(vertex));
-        let [from_b, to_b] = ends_b.map(|vertex| b.vertex(vertex));
-        let (along_a, along_b) = (to_a - from_a, to_b - from_b);
-        let cross = along_a.cross(along_b);
-        let square = cross.length_squared();
-        if square <= PARALLEL * along_a.length_squared() * along_b.length_squared() {
-            return None;
-        }
+        let SkewEdges {
+            from: [from_a, from_b],
+            along: [along_a, along_b],
+            cross,
+            square,
+        } = SkewEdges::of(self.pair, ends_a, ends_b)?;
         let outward = cross * (1.0_f64.copysign(cross.dot(portal.normal)) / square.sqrt());
         if !(b.stand_out(ends_b, outward, FEATURE * b.radius)
             && a.stand_out(ends_a, -outward, FEATURE * a.radius))
