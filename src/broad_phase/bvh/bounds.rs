@@ -61,6 +61,11 @@ impl Bounds {
         }
     }
 
+    /// Whether the two share a point.
+    pub(super) fn overlaps(&self, other: &Self) -> bool {
+        self.min.cmple(other.max).all() && other.min.cmple(self.max).all()
+    }
+
     /// Twice the box's middle; zero for a box that has none.
     pub(super) fn middle(&self) -> Vec3 {
         let middle = self.min + self.max;

@@ -90,8 +90,8 @@ pub struct Bvh<T> {
     pub(super) waiting: Vec<(Mobility, u32, T)>,
     /// By slot.
     places: Vec<LeafId>,
-    /// Moving bodies that were inserted anew since the last update, and the leaves they left.
-    away: Vec<(u32, LeafId)>,
+    /// Moving bodies that were inserted anew since the last update, and the leaves they left with their boxes.
+    away: Vec<(u32, LeafId, Bounds)>,
     items: Vec<Item>,
     bodies: Vec<(u32, T)>,
     /// Pairs of the trees there are.
@@ -124,7 +124,7 @@ impl<T: Copy + Sync> Bvh<T> {
             && tree.settled
             && tree.mobility == Mobility::Moving
         {
-            self.away.push((slot, id));
+            self.away.push((slot, id, tree.leaf(id.leaf as usize)));
         }
         self.remove(slot);
         if self.places.len() <= slot as usize {
@@ -219,7 +219,7 @@ impl<T: Copy + Sync> Bvh<T> {
     pub fn memory(&self) -> usize {
         self.trees.iter().map(Tree::memory).sum::<usize>()
             + self.places.capacity() * size_of::<LeafId>()
-            + self.away.capacity() * size_of::<(u32, LeafId)>()
+            + self.away.capacity() * size_of::<(u32, LeafId, Bounds)>()
             + self.items.capacity() * size_of::<Item>()
             + self.bodies.capacity() * size_of::<(u32, T)>()
             + self.lists.memory()
@@ -235,7 +235,7 @@ impl<T: Copy + Sync> Bvh<T> {
         for tree in &mut self.trees {
             tree.settled = false;
         }
-        self.return_home();
+        self.return_home(&bounds);
         self.settle(&bounds);
         for mobility in [Mobility::Fixed, Mobility::Moving] {
             self.consolidate(mobility, &bounds);
@@ -260,22 +260,26 @@ impl<T: Copy + Sync> Bvh<T> {
     /// Puts moving bodies that were inserted anew back into the leaves they left.
     ///
     /// Most have another velocity and are where they were: nothing is out of order, and no trees
-    /// have to be merged for their sake. All boxes are about to be fitted.
-    fn return_home(&mut self) {
+    /// have to be merged for their sake. Who is elsewhere now is sorted in there: in the old leaf it would
+    /// stretch the boxes above. All boxes are about to be fitted.
+    fn return_home(&mut self, bounds: &impl Fn(&T) -> Aabb) {
         let Self {
             trees,
             waiting,
             places,
             away,
+            origin,
             ..
         } = self;
-        away.sort_unstable_by_key(|&(slot, _)| slot);
+        let is_near =
+            |data: &T, home: &Bounds| Bounds::around(&bounds(data), *origin).overlaps(home);
+        away.sort_unstable_by_key(|&(slot, ..)| slot);
         waiting.retain(|&(mobility, slot, data)| {
-            let found = away.binary_search_by_key(&slot, |&(slot, _)| slot);
-            let Some(&(_, home)) = found.ok().and_then(|index| away.get(index)) else {
+            let found = away.binary_search_by_key(&slot, |&(slot, ..)| slot);
+            let Some(&(_, home, near)) = found.ok().and_then(|index| away.get(index)) else {
                 return true;
             };
-            if mobility != Mobility::Moving {
+            if mobility != Mobility::Moving || !is_near(&data, &near) {
                 return true;
             }
             let tree = trees.get_mut(home.tree as usize);
@@ -288,7 +292,7 @@ impl<T: Copy + Sync> Bvh<T> {
             *place = home;
             false
         });
-        for &(slot, home) in &*away {
+        for &(slot, home, near) in &*away {
             let Some(place) = places.get_mut(slot as usize) else {
                 continue;
             };
@@ -300,6 +304,7 @@ impl<T: Copy + Sync> Bvh<T> {
                 continue;
             }
             if let Some(&data) = tree.data.get(place.leaf as usize)
+                && is_near(&data, &near)
                 && let Some(tree) = trees.get_mut(home.tree as usize)
                 && tree.occupy(home.leaf, slot, data)
             {
