@@ -214,6 +214,7 @@ impl Findings {
             return;
         }
         sorted.clear();
+        sorted.reserve(self.spare.len());
         let found = self.spare.iter();
         sorted.extend(found.filter_map(|found| self.contact(found).copied()));
     }

@@ -69,8 +69,9 @@ impl Aim {
         }
     }
 
-    /// [`point`](Self::point) for each of many.
+    /// Adds [`point`](Self::point) for each of many.
     pub(super) fn points(&self, lattice: &[DVec2], xs: &mut Vec<f64>, ys: &mut Vec<f64>) {
+        let before = xs.len();
         // One array after the other, so that the compiler does several points at a time.
         match *self {
             Self::Lens {
@@ -82,7 +83,7 @@ impl Aim {
                 let (middle, half) = (0.5 * (min + max), 0.5 * (max - min));
                 xs.extend(lattice.iter().map(|at| middle + half * at.x));
                 let height = |radius: f64, x: f64| f64::max((radius - x) * (radius + x), 0.0);
-                ys.extend(lattice.iter().zip(xs.iter()).map(|(at, &x)| {
+                ys.extend(lattice.iter().zip(&xs[before..]).map(|(at, &x)| {
                     at.y * f64::min(height(radii[0], x), height(radii[1], x - centre_b)).sqrt()
                 }));
             }

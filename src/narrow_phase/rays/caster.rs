@@ -113,10 +113,10 @@ impl RayCaster {
         ];
         let facing = Facing {
             view,
-            shadow_a,
-            shadow_b,
-            aim,
-            outlines,
+            shadow_a: &shadow_a,
+            shadow_b: &shadow_b,
+            aim: &aim,
+            outlines: &outlines,
             touch,
             longest: length,
         };
@@ -139,7 +139,9 @@ impl RayCaster {
         best: Option<Shortest>,
         rays: &mut u64,
     ) -> Option<Crossing> {
-        if self.config.placement != Placement::Aimed {
+        let [outline_a, outline_b] = facing.outlines;
+        let any = outline_a.edges() > 0 && outline_b.edges() > 0;
+        if !any || self.config.placement != Placement::Aimed {
             return None;
         }
         // Where a vertex is as near, it is the vertex that touches.
@@ -147,12 +149,11 @@ impl RayCaster {
             Origin::Vertex(_) => best.gap - PREFERENCE * facing.size(),
             Origin::Area | Origin::Edge { .. } => best.gap - facing.rounding(),
         });
-        let [outline_a, outline_b] = &facing.outlines;
         let directions = [a.pose, b.pose].map(|pose| pose.local_direction(facing.view.z));
         self.crossings.shortest(
             [(outline_a, a.shape), (outline_b, b.shape)],
             directions,
-            &facing.aim,
+            facing.aim,
             (facing.touch, limit),
             |start, end| facing.is_in_front(false, start) && facing.is_in_front(true, end),
             rays,
@@ -164,26 +165,25 @@ impl RayCaster {
         self.ahead.clear();
         self.behind.clear();
         let both = self.config.senders == Senders::Both;
-        let [outline_a, outline_b] = &facing.outlines;
+        let [outline_a, outline_b] = facing.outlines;
         match self.config.placement {
             Placement::Aimed => {
+                // Those that a ball touches by come first: what is longer than they is passed over.
                 self.ahead
-                    .push_aimed(&self.lattice, &facing.aim, &facing.shadow_a);
+                    .push_faces(facing.shadow_a, facing.shadow_b, facing.aim);
+                self.ahead
+                    .push_aimed(&self.lattice, facing.aim, facing.shadow_a);
                 let each = (self.config.rays / 32).clamp(1, 8);
-                self.ahead
-                    .push_faces(&facing.shadow_a, &facing.shadow_b, &facing.aim);
-                self.ahead.push_vertices(outline_a, Some(&facing.aim));
+                self.ahead.push_vertices(outline_a, Some(facing.aim));
                 match facing.shadow_b.ball() {
-                    Some(ball) => self.ahead.push_tangents(outline_a, &facing.aim, ball, 1.0),
-                    None => self.ahead.push_edges(outline_a, &facing.aim, each),
+                    Some(ball) => self.ahead.push_tangents(outline_a, facing.aim, ball, 1.0),
+                    None => self.ahead.push_edges(outline_a, facing.aim, each),
                 }
                 if both {
-                    self.behind.push_vertices(outline_b, Some(&facing.aim));
+                    self.behind.push_vertices(outline_b, Some(facing.aim));
                     match facing.shadow_a.ball() {
-                        Some(ball) => self
-                            .behind
-                            .push_tangents(outline_b, &facing.aim, ball, -1.0),
-                        None => self.behind.push_edges(outline_b, &facing.aim, each),
+                        Some(ball) => self.behind.push_tangents(outline_b, facing.aim, ball, -1.0),
+                        None => self.behind.push_edges(outline_b, facing.aim, each),
                     }
                 }
             }
@@ -198,9 +198,9 @@ impl RayCaster {
                 }
                 if self.config.placement == Placement::Even {
                     let each = f64::from(self.config.rays).sqrt().ceil() as u32;
-                    self.ahead.push_edges(outline_a, &facing.aim, each);
+                    self.ahead.push_edges(outline_a, facing.aim, each);
                     if both {
-                        self.behind.push_edges(outline_b, &facing.aim, each);
+                        self.behind.push_edges(outline_b, facing.aim, each);
                     }
                 }
             }
@@ -211,12 +211,14 @@ impl RayCaster {
     fn cast_all(&mut self, facing: &Facing<'_>) -> [Option<Shortest>; 2] {
         let (mut best, mut best_edge) = (None::<Shortest>, None::<Shortest>);
         let (mut shortest, margin) = (f64::INFINITY, PREFERENCE * facing.size());
+        // Where the body faces the other is where these were put.
+        let aimed = self.config.placement == Placement::Aimed;
         for behind in [false, true] {
             let starts = if behind { &self.behind } else { &self.ahead };
             if behind {
-                gaps_behind(starts, &facing.shadow_a, &mut self.gaps);
+                gaps_behind(starts, facing.shadow_a, &mut self.gaps);
             } else {
-                gaps_ahead(starts, &facing.shadow_b, &mut self.gaps);
+                gaps_ahead(starts, facing.shadow_b, &mut self.gaps);
             }
             let surface = starts.surface();
             for (index, &gap) in self.gaps.iter().enumerate() {
@@ -234,9 +236,11 @@ impl RayCaster {
                         origin,
                         behind,
                     };
-                    if beaten && !matches!(origin, Origin::Edge { .. })
-                        || !facing.is_in_front(behind, found.at.extend(starts.zs[index]))
-                    {
+                    let is_in_front = || {
+                        let start = found.at.extend(starts.zs[index]);
+                        aimed && index < surface || facing.is_in_front(behind, start)
+                    };
+                    if beaten && !matches!(origin, Origin::Edge { .. }) || !is_in_front() {
                         continue;
                     }
                     facing.keep_shorter(&mut best, found);

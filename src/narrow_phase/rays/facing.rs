@@ -50,10 +50,10 @@ pub(super) const PREFERENCE: f64 = 1e-9;
 /// Two bodies seen along their relative motion.
 pub(super) struct Facing<'a> {
     pub(super) view: View,
-    pub(super) shadow_a: Shadow<'a>,
-    pub(super) shadow_b: Shadow<'a>,
-    pub(super) aim: Aim,
-    pub(super) outlines: [Outline<'a>; 2],
+    pub(super) shadow_a: &'a Shadow<'a>,
+    pub(super) shadow_b: &'a Shadow<'a>,
+    pub(super) aim: &'a Aim,
+    pub(super) outlines: &'a [Outline<'a>; 2],
     pub(super) touch: f64,
     /// Length of the motion.
     pub(super) longest: f64,
@@ -137,8 +137,8 @@ impl Facing<'_> {
     /// shadow, and rays that close in on it from the middle come too slowly.
     pub(super) fn polish(&self, mut best: Shortest, rays: &mut u64) -> Shortest {
         let (ball, behind) = match (self.shadow_a.disc(), self.shadow_b.disc()) {
-            (Some(_), None) => (&self.shadow_a, false),
-            (None, Some(_)) => (&self.shadow_b, true),
+            (Some(_), None) => (self.shadow_a, false),
+            (None, Some(_)) => (self.shadow_b, true),
             _ => return best,
         };
         // A better ray may lead to the face beside; a few are enough.

@@ -184,9 +184,8 @@ impl<'a> Shadow<'a> {
         self.slack
     }
 
-    /// Where lines through `(xs[i], ys[i])` enter or leave the body; NaN where they miss it.
+    /// Adds where lines through `(xs[i], ys[i])` enter or leave the body; NaN where they miss it.
     pub(super) fn depths(&self, side: Side, xs: &[f64], ys: &[f64], out: &mut Vec<f64>) {
-        out.clear();
         let points = xs.iter().zip(ys).map(|(&x, &y)| DVec2::new(x, y));
         match self.surface {
             // All that is needed at hand, so that the compiler does several points at a time.

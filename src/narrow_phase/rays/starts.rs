@@ -69,11 +69,13 @@ impl Starts {
         self.zs.push(point.z);
     }
 
-    /// Points on the surface over the aim, where the lattice's points fall.
+    /// Points on the surface over the aim, where the lattice's points fall; only before all
+    /// vertices and edges.
     pub(super) fn push_aimed(&mut self, lattice: &[DVec2], aim: &Aim, body: &Shadow<'_>) {
-        debug_assert!(self.xs.is_empty(), "points over the aim come first");
+        let before = self.len();
         aim.points(lattice, &mut self.xs, &mut self.ys);
-        body.depths(Side::Far, &self.xs, &self.ys, &mut self.zs);
+        let (xs, ys) = (&self.xs[before..], &self.ys[before..]);
+        body.depths(Side::Far, xs, ys, &mut self.zs);
     }
 
     /// The points over the aim where one body, a ball, touches a face of the other
@@ -171,7 +173,8 @@ impl Starts {
     }
 }
 
-/// A body's vertices and edges in view coordinates.
+/// A body's vertices and edges in view coordinates; a ball has none.
+#[derive(Default)]
 pub(super) struct Outline<'a> {
     mesh: Option<Mesh<'a>>,
     vertices: Vec<DVec3>,
@@ -179,13 +182,16 @@ pub(super) struct Outline<'a> {
 
 impl<'a> Outline<'a> {
     pub(super) fn new(shape: &'a Shape, pose: &Pose, view: View, centre: DVec3) -> Self {
-        let mesh = Mesh::of(shape);
+        let Some(mesh) = Mesh::of(shape) else {
+            return Self::default();
+        };
         let local =
             |vertex: DVec3| centre + view.coordinates(pose.direction(vertex - shape.centre()));
-        let vertices = mesh.as_ref().map_or_else(Vec::new, |mesh| {
-            mesh.vertices.iter().map(|&v| local(v)).collect()
-        });
-        Self { mesh, vertices }
+        let vertices = mesh.vertices.iter().map(|&v| local(v)).collect();
+        Self {
+            mesh: Some(mesh),
+            vertices,
+        }
     }
 
     /// How many edges there are.
@@ -223,6 +229,7 @@ impl Origin {
 
 /// Which shadow gives the rest of the line: kept beside the points it belongs to.
 pub(super) fn gaps_ahead(starts: &Starts, target: &Shadow<'_>, depths: &mut Vec<f64>) {
+    depths.clear();
     target.depths(Side::Near, &starts.xs, &starts.ys, depths);
     for (depth, start) in depths.iter_mut().zip(&starts.zs) {
         *depth -= start;
@@ -231,6 +238,7 @@ pub(super) fn gaps_ahead(starts: &Starts, target: &Shadow<'_>, depths: &mut Vec<
 
 /// As [`gaps_ahead`], for rays sent back against the motion.
 pub(super) fn gaps_behind(starts: &Starts, target: &Shadow<'_>, depths: &mut Vec<f64>) {
+    depths.clear();
     target.depths(Side::Far, &starts.xs, &starts.ys, depths);
     for (depth, start) in depths.iter_mut().zip(&starts.zs) {
         *depth = start - *depth;
