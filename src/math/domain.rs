@@ -23,7 +23,18 @@ pub(crate) fn within(
 }
 
 /// `vector` if every component is finite and at most `max` in size.
+#[inline]
 pub(crate) fn vector(field: &'static str, vector: DVec3, max: f64) -> Result<DVec3, ValueError> {
+    // NaN fails the comparison.
+    if vector.abs().cmple(DVec3::splat(max)).all() {
+        return Ok(vector);
+    }
+    refuse(field, vector, max)
+}
+
+/// What is wrong with a vector that is not within its domain.
+#[cold]
+fn refuse(field: &'static str, vector: DVec3, max: f64) -> Result<DVec3, ValueError> {
     for value in vector.to_array() {
         if !value.is_finite() {
             return Err(ValueError::NotFinite { field, value });

@@ -54,7 +54,35 @@ struct End {
 
 impl FrameMotion {
     pub(crate) fn new(motion: &Motion, elapsed: f64, duration: f64) -> Self {
-        Self::begin(motion, elapsed, duration, None)
+        let Some((start, displacement)) = motion.flight(elapsed, duration) else {
+            return Self::begin(motion, elapsed, duration, None);
+        };
+        Self {
+            start,
+            displacement,
+            ..Self::still(motion, elapsed, duration)
+        }
+    }
+
+    /// Of a body that stays where it is, which is not yet known.
+    #[inline]
+    fn still(motion: &Motion, elapsed: f64, duration: f64) -> Self {
+        Self {
+            duration,
+            flown: 0.0,
+            turned: match motion.turning() {
+                Turning::Spin(spin) => spin.rotation_after(elapsed),
+                Turning::Not | Turning::Facing(_) => DQuat::IDENTITY,
+            },
+            start: DVec3::ZERO,
+            displacement: DVec3::ZERO,
+            end: None,
+            near: Near::default(),
+            deviation: 0.0,
+            rests_until: 0.0,
+            rests_from: f64::INFINITY,
+            curved: false,
+        }
     }
 
     /// What [`new`](Self::new) makes, to the bit: the next frame of the same motion, or the first one of another.
@@ -66,20 +94,8 @@ impl FrameMotion {
 
     fn begin(motion: &Motion, elapsed: f64, duration: f64, last: Option<End>) -> Self {
         let mut frame = Self {
-            duration,
-            flown: 0.0,
-            turned: match motion.turning() {
-                Turning::Spin(spin) => spin.rotation_after(elapsed),
-                Turning::Not | Turning::Facing(_) => DQuat::IDENTITY,
-            },
-            start: DVec3::ZERO,
-            displacement: DVec3::ZERO,
-            end: None,
             near: last.map_or(Near::default(), |last| last.near),
-            deviation: 0.0,
-            rests_until: 0.0,
-            rests_from: f64::INFINITY,
-            curved: false,
+            ..Self::still(motion, elapsed, duration)
         };
         if let Kind::Along(journey) = motion.kind() {
             frame.flown = journey.flown_after(elapsed);

@@ -277,6 +277,7 @@ impl Motion {
     }
 
     /// What [`checked`](Self::checked) checks.
+    #[inline]
     pub(crate) fn check(&self) -> Result<(), MotionError> {
         match &self.kind {
             Kind::Fixed { position } => {
@@ -336,6 +337,7 @@ impl Motion {
     /// Of a body that spins about another point than its origin this is where
     /// its origin would be if it did not spin; see [`pose_after`](Self::pose_after).
     #[must_use]
+    #[inline]
     pub fn position_after(&self, elapsed: f64) -> DVec3 {
         match &self.kind {
             Kind::Fixed { position } => *position,
@@ -344,6 +346,19 @@ impl Motion {
                 journey.path.position_at(waypoint.distance)
             }
             Kind::Free { position, velocity } => *position + elapsed * *velocity,
+        }
+    }
+
+    /// From where and by how much a body without a path moves in `duration` seconds, after
+    /// `elapsed` of this motion.
+    #[inline]
+    pub(crate) fn flight(&self, elapsed: f64, duration: f64) -> Option<(DVec3, DVec3)> {
+        match &self.kind {
+            Kind::Fixed { position } => Some((*position, DVec3::ZERO)),
+            Kind::Free { position, velocity } => {
+                Some((*position + elapsed * *velocity, duration * *velocity))
+            }
+            Kind::Along(_) => None,
         }
     }
 

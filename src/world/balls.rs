@@ -14,12 +14,22 @@ use glam::DVec3;
 /// to the bit, from their tracks alone.
 ///
 /// A body's record is several cache lines long, its track little more than one.
+#[inline]
 pub(super) fn examine(a: &Track, b: &Track, span: Span) -> Option<Finding> {
-    let ((start_a, motion_a), (start_b, motion_b)) = (a.flight(span), b.flight(span));
-    let reach = a.reach + b.reach;
+    let (flight_a, flight_b) = (a.flight(span), b.flight(span));
+    meet((flight_a, a.reach), (flight_b, b.reach))
+}
+
+/// The same of two flights, each from where and by how much, and the balls' radii.
+#[inline]
+pub(super) fn meet(
+    ((start_a, motion_a), radius_a): ((DVec3, DVec3), f64),
+    ((start_b, motion_b), radius_b): ((DVec3, DVec3), f64),
+) -> Option<Finding> {
+    let reach = radius_a + radius_b;
     let between = start_b - start_a;
     if between.length_squared() < reach * reach
-        && let Some(contact) = overlapping((start_a, a.reach), (start_b, b.reach))
+        && let Some(contact) = overlapping((start_a, radius_a), (start_b, radius_b))
     {
         return Some(contact.into());
     }
@@ -27,7 +37,7 @@ pub(super) fn examine(a: &Track, b: &Track, span: Span) -> Option<Finding> {
     if early_out::reject(between, motion, reach).is_some() {
         return None;
     }
-    let enter = two_balls(a.reach, b.reach, between, motion)?;
+    let enter = two_balls(radius_a, radius_b, between, motion)?;
     let coordinate = start_a.abs().max(start_b.abs()).max_element();
     let touch = touch_tolerance(reach, coordinate);
     let depth = enter.fraction * motion.dot(enter.normal);

@@ -112,11 +112,14 @@ impl Body {
     }
 
     /// The same of the body turned by another orientation.
+    #[inline]
     pub(crate) fn hub_turned(&self, orientation: DQuat) -> (DVec3, f64) {
         let (centre, radius) = (self.shape.centre(), self.shape.max_dist());
         // Turning things rounds them by a few ulp of their size.
         let grown = |radius: f64, size: f64| radius + 16.0 * f64::EPSILON * (radius + size);
         match self.motion.turning() {
+            // Balls and most boxes are centred: nothing need be turned.
+            Turning::Not if centre == DVec3::ZERO => (centre, radius),
             Turning::Not => (orientation * centre, radius),
             Turning::Spin(spin) => {
                 let point = orientation * spin.point();
@@ -137,11 +140,15 @@ impl Body {
     }
 
     /// What [`checked`](Self::checked) checks; its orientation at unit length.
+    #[inline]
     pub(crate) fn check(&self) -> Result<DQuat, BodyError> {
         /// How far a quaternion may be from unit length. Products of many
         /// rotations drift by an ulp each, even in `f32` below this.
         const DRIFT: f64 = 1e-3;
         self.motion.check()?;
+        if self.orientation == DQuat::IDENTITY {
+            return Ok(self.orientation);
+        }
         let length = self.orientation.length();
         let field = "orientation.length";
         if !length.is_finite() {

@@ -1,14 +1,14 @@
 //! The first contact of two bodies without a world.
 
-use crate::error::{BodyError, FirstContactError, StepError};
-use crate::geometry::Feature;
+use crate::error::{FirstContactError, StepError};
+use crate::geometry::{Feature, Shape};
 use crate::math::domain;
-use crate::motion::FrameMotion;
+use crate::motion::{FrameMotion, Turning};
 use crate::tolerance::{MAX_TIME_STEP, MIN_TIME_STEP};
 use crate::world::pair::{Mover, PairEffort, Undecided, examine};
 use crate::world::solver::Solver;
-use crate::world::{Body, ContactKind, Method};
-use glam::{DQuat, DVec3};
+use crate::world::{Body, ContactKind, Method, balls};
+use glam::DVec3;
 
 /// A contact of a pair, before it is known which bodies these are in a world.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -50,29 +50,6 @@ impl PairContact {
     }
 }
 
-/// A body that is examined outside of a world.
-struct Guest<'a> {
-    body: &'a Body,
-    orientation: DQuat,
-    frame: FrameMotion,
-    points: Vec<DVec3>,
-}
-
-impl<'a> Guest<'a> {
-    fn new(body: &'a Body, horizon: f64, solver: &Solver) -> Result<Self, BodyError> {
-        Ok(Self {
-            body,
-            orientation: body.check()?,
-            frame: FrameMotion::new(body.motion(), 0.0, horizon),
-            points: solver.surface_points(body.shape()),
-        })
-    }
-
-    fn mover(&self) -> Mover<'_> {
-        Mover::of(self.body, self.orientation, &self.frame, &self.points)
-    }
-}
-
 /// First contact of two bodies within `horizon` seconds, without a world.
 ///
 /// `a` is the first body whatever moves: the normal leads out of `b` towards
@@ -110,15 +87,30 @@ pub fn first_contact(
     }
     let mut solver = Solver::new(*method);
     domain::within("horizon", horizon, MIN_TIME_STEP, MAX_TIME_STEP).map_err(StepError::from)?;
-    let (a, b) = (
-        Guest::new(a, horizon, &solver)?,
-        Guest::new(b, horizon, &solver)?,
-    );
-    let (a, b) = (a.mover(), b.mover());
+    let (turned_a, turned_b) = (a.check()?, b.check()?);
+    if *method == Method::Exact
+        && let (Some(a), Some(b)) = (flying_ball(a, horizon), flying_ball(b, horizon))
+    {
+        return Ok(balls::meet(a, b).map(|finding| finding.contact));
+    }
+    // Each where it stays: they are large to be copied.
+    let frame_a = FrameMotion::new(a.motion(), 0.0, horizon);
+    let frame_b = FrameMotion::new(b.motion(), 0.0, horizon);
+    let [points_a, points_b] = [a, b].map(|body| solver.surface_points(body.shape()));
+    let a = Mover::of(a, turned_a, &frame_a, &points_a);
+    let b = Mover::of(b, turned_b, &frame_b, &points_b);
     let mut effort = PairEffort::default();
     let finding = examine(&mut solver, &a, &b, &mut effort);
     match finding {
         Ok(finding) => Ok(finding.map(|finding| finding.contact)),
         Err(Undecided { clear_until }) => Err(FirstContactError::Undecided { clear_until }),
     }
+}
+
+/// Flight and radius of a ball that follows no path and is not turned.
+fn flying_ball(body: &Body, horizon: f64) -> Option<((DVec3, DVec3), f64)> {
+    let (Shape::Sphere(ball), Turning::Not) = (body.shape(), body.motion().turning()) else {
+        return None;
+    };
+    Some((body.motion().flight(0.0, horizon)?, ball.radius()))
 }
