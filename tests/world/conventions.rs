@@ -363,3 +363,55 @@ fn first_contact_and_the_world_agree() {
     );
     assert_eq!((alone.normal, alone.kind), (contact.normal, contact.kind));
 }
+
+/// A spin that cannot be seen sends a pair the long way round.
+#[test]
+fn two_flying_balls_are_answered_to_the_bit_as_the_same_balls_turning() {
+    let mut random = Random::seeded(77);
+    let mut told = [0; 3];
+    for case in 0..4000 {
+        let size = random.decades(-3.0, 3.0);
+        let radii = [random.within(0.1, 1.0), random.within(0.1, 1.0)].map(|share| share * size);
+        let far = if case % 3 == 0 {
+            random.decades(0.0, 5.0)
+        } else {
+            0.0
+        };
+        let place = far * random.vector();
+        let aside = match case % 4 {
+            0 => radii[0] + radii[1],
+            _ => size * random.decades(-3.0, 1.0),
+        };
+        let out = random.direction();
+        let places = [place + aside * out, place];
+        let speed = size * random.decades(-9.0, 1.5);
+        let aim = if case % 5 == 0 {
+            DVec3::ZERO
+        } else {
+            0.5 * size * random.vector()
+        };
+        let velocities = [
+            speed * (aim - aside * out).normalize_or(DVec3::X),
+            0.1 * speed * random.vector(),
+        ];
+        let balls = [0, 1].map(|index| {
+            Motion::free(places[index], velocities[index])
+                .map(|motion| (ball(radii[index]), motion))
+                .unwrap()
+        });
+        let [flying, turning] = [0.0, 1.0].map(|rate| {
+            let [a, b] = balls.clone().map(|(shape, motion)| match rate {
+                0.0 => Body::moving(shape, motion),
+                _ => Body::moving(shape, motion.spin([0.0, 1.0, 0.0], rate).unwrap()),
+            });
+            first_contact(&a, &b, 1.0, &Method::Exact).unwrap()
+        });
+        assert_eq!(flying, turning, "{balls:?}");
+        told[match flying.map(|contact| contact.kind) {
+            None => 0,
+            Some(ContactKind::Touch) => 1,
+            Some(_) => 2,
+        }] += 1;
+    }
+    assert!(told.iter().all(|&count| count > 300), "{told:?}");
+}
