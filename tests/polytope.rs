@@ -9,6 +9,8 @@ mod checks;
 mod hulls;
 #[path = "polytope/meshes.rs"]
 mod meshes;
+#[path = "polytope/needles.rs"]
+mod needles;
 #[path = "polytope/oracle.rs"]
 mod oracle;
 #[path = "polytope/points.rs"]

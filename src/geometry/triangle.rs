@@ -1,7 +1,7 @@
 //! Triangles.
 
 use crate::error::ShapeError;
-use crate::math::domain;
+use crate::math::{domain, exact};
 use crate::tolerance::{MAX_LENGTH, MIN_LENGTH};
 use glam::DVec3;
 
@@ -102,6 +102,10 @@ impl Triangle {
     }
 }
 
+/// Sine of the angle between two sides of a triangle below which their product is worked out with
+/// twice the digits: as it is, it would tell the direction to some 1e-15 only.
+pub(crate) const THIN: f64 = 0.1;
+
 /// Unit normal and least height of a triangle; the height is 0 and the normal
 /// zero if two corners coincide or all lie on one line.
 pub(crate) fn normal_and_height([a, b, c]: [DVec3; 3]) -> (DVec3, f64) {
@@ -114,7 +118,13 @@ pub(crate) fn normal_and_height([a, b, c]: [DVec3; 3]) -> (DVec3, f64) {
     } else {
         (a - c, b - c)
     };
-    let doubled_area = u.cross(v);
+    let plain = u.cross(v);
+    let is_thin = plain.length() < THIN * u.length() * v.length();
+    let doubled_area = if is_thin {
+        exact::doubled_area(a, b, c)
+    } else {
+        plain
+    };
     let height = if longest > 0.0 {
         doubled_area.length() / longest
     } else {

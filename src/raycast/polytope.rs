@@ -51,7 +51,14 @@ impl RayCast for Polytope {
         let speed = line.direction.abs().max_element();
         let plain = !enter.tied
             && speed * enter.fraction > 16.0 * growth
-            && speed * (fraction - enter.fraction) < 1e-9 * size;
+            && speed * (fraction - enter.fraction) < 1e-9 * size
+            && (speed * (fraction - enter.fraction) < 4.0 * growth
+                || is_within(
+                    self,
+                    enter.face,
+                    line.origin + fraction * line.direction,
+                    growth,
+                ));
         if plain {
             let point = surface_point(&line, fraction, enter.face, plane);
             return point.fraction.is_finite().then_some(RayHit::Surface(point));
@@ -64,6 +71,15 @@ impl RayCast for Polytope {
         let by_planes = || planes(self).all(|plane| plane.normal.dot(point) <= plane.offset);
         point.is_finite() && self.face_map().holds(point).unwrap_or_else(by_planes)
     }
+}
+
+/// Whether `point` of a face's plane lies behind all its neighbours, as that of a line does not
+/// which passes an edge by within rounding and comes down on the plane beyond.
+fn is_within(polytope: &Polytope, face: u32, point: DVec3, growth: f64) -> bool {
+    let sides = polytope.face_map().sides(face).iter();
+    sides
+        .map(|side| plane(polytope, side.face))
+        .all(|plane| plane.normal.dot(point) - plane.offset <= growth)
 }
 
 fn planes(polytope: &Polytope) -> impl Iterator<Item = Plane> + Clone {

@@ -4,7 +4,7 @@ use super::{NamedBody, Scene};
 use crate::error::SceneError;
 use crate::geometry::Shape;
 use crate::motion::Motion;
-use crate::world::{Body, Orientation, WorldConfig};
+use crate::world::{Body, Groups, Orientation, WorldConfig};
 use serde::{Deserialize, Serialize};
 
 #[derive(Serialize, Deserialize)]
@@ -70,6 +70,8 @@ pub(super) struct NamedBodyData {
     #[serde(default, skip_serializing_if = "Orientation::is_identity")]
     orientation: Orientation,
     motion: Motion,
+    #[serde(default, skip_serializing_if = "Groups::are_all")]
+    groups: Groups,
 }
 
 impl TryFrom<NamedBodyData> for NamedBody {
@@ -77,7 +79,9 @@ impl TryFrom<NamedBodyData> for NamedBody {
 
     fn try_from(data: NamedBodyData) -> Result<Self, SceneError> {
         let NamedBodyData { name, .. } = data;
-        let body = Body::moving(data.shape, data.motion).oriented(data.orientation.0);
+        let body = Body::moving(data.shape, data.motion)
+            .oriented(data.orientation.0)
+            .in_groups(data.groups);
         match body.clone().checked() {
             Ok(_) => Ok(Self { name, body }),
             Err(source) => Err(SceneError::Body { name, source }),
@@ -90,6 +94,7 @@ impl From<NamedBody> for NamedBodyData {
         Self {
             name,
             orientation: Orientation(body.orientation()),
+            groups: body.groups(),
             shape: body.shape,
             motion: body.motion,
         }

@@ -42,7 +42,7 @@
 //! | `frame_rate` | frames per second | 24 |
 //! | `duration` | seconds | open |
 //! | `config` | a [`WorldConfig`] | the default |
-//! | `bodies` | each a `name`, `shape`, `orientation`, `motion` | none |
+//! | `bodies` | each a `name`, `shape`, `orientation`, `motion`, `groups` | none |
 //!
 //! Shapes: `{ sphere = { radius } }`, `{ cuboid = { half_extents } }`,
 //! `{ triangle = { vertices } }`, `{ hull = { points } }` (the convex hull),
@@ -55,7 +55,8 @@
 //! the course may stand `spin = { axis, rate, point }` (`point` may be left out) or
 //! `facing = { forward, up, world_up }`.
 //!
-//! Orientations: a quaternion `[x, y, z, w]`, or `{ axis, degrees }`.
+//! Orientations: a quaternion `[x, y, z, w]`, or `{ axis, degrees }`. Groups:
+//! `{ memberships, mask }`, a bit for each; left out, all of both.
 
 mod data;
 

@@ -12,6 +12,7 @@
 #![allow(unreachable_pub, reason = "modules of one test")]
 
 mod case;
+mod close;
 mod conventions;
 mod oracle;
 mod planted;

@@ -14,6 +14,7 @@
 mod cases;
 mod conventions;
 mod oracle;
+mod past_edges;
 mod polytope;
 mod random;
 mod twofold;

@@ -6,6 +6,7 @@
     reason = "a test fails by panicking"
 )]
 
+mod groups;
 mod random;
 
 use feeler::{

@@ -3,6 +3,8 @@
 use super::support::{Seen, Support};
 use super::topology::{self, Lists};
 use crate::geometry::Edge;
+use crate::geometry::triangle::THIN;
+use crate::math::exact::doubled_area;
 use glam::DVec3;
 
 /// Faces and edges of a closed surface of triangles.
@@ -302,7 +304,8 @@ fn unit(vector: DVec3) -> DVec3 {
 }
 
 /// Normal, twice the area long, and the longest side. Taken from the two
-/// shorter sides, whose product is the least rounded.
+/// shorter sides, whose product is the least rounded; that of a thin triangle afresh with twice
+/// the digits, or its plane would not go through its corners.
 fn area_and_longest([a, b, c]: [DVec3; 3]) -> (DVec3, f64) {
     let (ab, bc, ca) = (b - a, c - b, a - c);
     let (x, y, z) = (
@@ -310,11 +313,14 @@ fn area_and_longest([a, b, c]: [DVec3; 3]) -> (DVec3, f64) {
         bc.length_squared(),
         ca.length_squared(),
     );
-    if x >= y && x >= z {
-        (bc.cross(ca), x.sqrt())
+    let (area, longest, others) = if x >= y && x >= z {
+        (bc.cross(ca), x, y * z)
     } else if y >= z {
-        (ca.cross(ab), y.sqrt())
+        (ca.cross(ab), y, z * x)
     } else {
-        (ab.cross(bc), z.sqrt())
-    }
+        (ab.cross(bc), z, x * y)
+    };
+    let is_thin = area.length_squared() < THIN * THIN * others;
+    let area = if is_thin { doubled_area(a, b, c) } else { area };
+    (area, longest.sqrt())
 }

@@ -246,12 +246,10 @@ impl Checked {
     }
 }
 
-/// Six times the volume between the triangles and a point amid them.
+/// Six times the volume between the triangles and a point amid them. Each part has the right sign:
+/// that of a needle is lost in the rounding of plain products.
 fn volume(vertices: &[DVec3], triangles: &[[u32; 3]], middle: DVec3) -> f64 {
     (triangles.iter())
-        .map(|corners| {
-            let [a, b, c] = corners.map(|corner| vertices[corner as usize] - middle);
-            a.cross(b).dot(c)
-        })
+        .map(|corners| -side(corners.map(|corner| vertices[corner as usize]), middle))
         .sum()
 }

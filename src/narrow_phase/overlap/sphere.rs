@@ -4,6 +4,10 @@ use super::{Overlap, unit};
 use crate::geometry::{Cuboid, Edge, Feature, Polytope, Pose, Sphere, Triangle};
 use glam::DVec3;
 
+/// Share of a body's size within which of a vertex rounding of the coordinates may turn the
+/// direction from it by more than 1e-13.
+const CLOSE: f64 = 1e-2;
+
 /// Where a shape lies nearest to a point, or nearest to let it out.
 pub(crate) struct Nearest {
     /// Signed distance in metres, negative inside.
@@ -173,7 +177,46 @@ pub(super) fn to_triangle(centre: DVec3, triangle: &Triangle) -> Nearest {
             });
         }
     }
-    nearest.filter(|_| beyond).unwrap_or(above)
+    match nearest.filter(|_| beyond) {
+        Some(nearest) => held_in_corner(nearest, centre, triangle),
+        None => above,
+    }
+}
+
+/// What is nearest to a point of a triangle's frame; if it is a corner, with a direction along which
+/// no edge sticks out, as rounding may make it close to the corner.
+fn held_in_corner(nearest: Nearest, centre: DVec3, triangle: &Triangle) -> Nearest {
+    let (vertices, normal) = (triangle.vertices(), triangle.normal());
+    let Feature::Vertex(corner) = nearest.feature else {
+        return nearest;
+    };
+    let corner = corner as usize;
+    let [from, to, last] = [0, 1, 2].map(|step| vertices[(corner + step) % 3]);
+    let sides = [to - from, last - from];
+    let size = sides[0].length().max(sides[1].length());
+    let rounding = 4.0 * f64::EPSILON * size;
+    let sticks_out = |side: &DVec3| nearest.direction.dot(*side) > rounding;
+    if nearest.distance > CLOSE * size || !sides.iter().any(sticks_out) {
+        return nearest;
+    }
+    let offset = centre - from;
+    let height = normal.dot(offset);
+    let up = if height < 0.0 { -normal } else { normal };
+    [sides[0].cross(normal), normal.cross(sides[1])]
+        .map(|rim| {
+            let rim = rim / rim.length();
+            let away = height * normal + rim.dot(offset).max(0.0) * rim;
+            let direction = unit(away).unwrap_or(up);
+            (direction.dot(offset), direction)
+        })
+        .into_iter()
+        .max_by(|a, b| a.0.total_cmp(&b.0))
+        .map(|(distance, direction)| Nearest {
+            distance,
+            direction,
+            feature: Feature::Vertex(corner as u32),
+        })
+        .unwrap_or(nearest)
 }
 
 /// Only edges and faces that the centre sees can be nearest to it.
@@ -264,22 +307,10 @@ fn distance_squared(polytope: &Polytope, edge: &Edge, point: DVec3) -> f64 {
 fn on_edge(polytope: &Polytope, index: u32, point: DVec3) -> Nearest {
     let edge = &polytope.edges()[index as usize];
     let [from, to] = ends(polytope, edge);
-    let normals = edge
-        .faces
-        .map(|face| polytope.face_normals()[face as usize]);
     let (along, offset) = (to - from, point - from);
     let fraction = offset.dot(along) / along.length_squared();
     if fraction > 0.0 && fraction < 1.0 {
-        let away = unit(offset - fraction * along).unwrap_or(normals[0]);
-        // Close to the edge rounding may turn the direction out of the wedge
-        // between the two faces, where it would no longer support the body.
-        let direction = if normals[0].cross(away).dot(along) < 0.0 {
-            normals[0]
-        } else if away.cross(normals[1]).dot(along) < 0.0 {
-            normals[1]
-        } else {
-            away
-        };
+        let direction = off_edge(polytope, edge, offset);
         return Nearest {
             distance: direction.dot(offset),
             direction,
@@ -288,9 +319,64 @@ fn on_edge(polytope: &Polytope, index: u32, point: DVec3) -> Nearest {
     }
     let end = usize::from(fraction > 0.0);
     let offset = point - [from, to][end];
+    let (distance, direction) = at_vertex(polytope, edge, end, offset);
     Nearest {
-        distance: offset.length(),
-        direction: unit(offset).unwrap_or(normals[0]),
+        distance,
+        direction,
         feature: Feature::Vertex(edge.vertices[end]),
     }
+}
+
+/// Unit vector square to an edge along which a point leaves it, `offset` from anywhere on it.
+fn off_edge(polytope: &Polytope, edge: &Edge, offset: DVec3) -> DVec3 {
+    let [from, to] = ends(polytope, edge);
+    let along = to - from;
+    let normals = edge
+        .faces
+        .map(|face| polytope.face_normals()[face as usize]);
+    let across = |offset: DVec3| offset - offset.dot(along) / along.length_squared() * along;
+    // Close to the edge what is left of the offset is rounding, which may lead along the edge
+    // as well: that share is taken out, and where there is little else a face is as near.
+    let away = (unit(across(offset)).map(across))
+        .filter(|away| away.length_squared() > 0.25)
+        .and_then(unit)
+        .unwrap_or(normals[0]);
+    // Rounding may turn the direction out of the wedge between the two faces too, where it
+    // would no longer support the body.
+    if normals[0].cross(away).dot(along) < 0.0 {
+        normals[0]
+    } else if away.cross(normals[1]).dot(along) < 0.0 {
+        normals[1]
+    } else {
+        away
+    }
+}
+
+/// Distance and direction of a point from the vertex nearest to it: one of the `end`s of `edge`.
+fn at_vertex(polytope: &Polytope, edge: &Edge, end: usize, offset: DVec3) -> (f64, DVec3) {
+    let vertex = edge.vertices[end];
+    let distance = offset.length();
+    let direction = unit(offset).unwrap_or(polytope.face_normals()[edge.faces[0] as usize]);
+    if distance > CLOSE * polytope.max_dist() {
+        return (distance, direction);
+    }
+    // Rounding may turn it out of the cone between the faces: an edge would stick out.
+    let around = || (polytope.edges().iter()).filter(|edge| edge.vertices.contains(&vertex));
+    let sticks_out = |edge: &Edge| {
+        let [from, to] = ends(polytope, edge);
+        let along = if edge.vertices[0] == vertex {
+            to - from
+        } else {
+            from - to
+        };
+        direction.dot(along) > 4.0 * f64::EPSILON * polytope.max_dist()
+    };
+    if !around().any(sticks_out) {
+        return (distance, direction);
+    }
+    around()
+        .map(|edge| off_edge(polytope, edge, offset))
+        .map(|direction| (direction.dot(offset), direction))
+        .max_by(|a, b| a.0.total_cmp(&b.0))
+        .unwrap_or((distance, direction))
 }
