@@ -5,6 +5,7 @@
     reason = "planted input that is refused shall fail the test"
 )]
 
+mod in_touch;
 mod near;
 #[path = "../crowds/worlds.rs"]
 mod worlds;

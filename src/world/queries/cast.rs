@@ -6,7 +6,9 @@ use crate::geometry::{Aabb, Feature, Pose, Ray, Shape};
 use crate::math::domain;
 use crate::narrow_phase::exact::crossing;
 use crate::narrow_phase::overlap::overlap;
-use crate::tolerance::{MAX_COORDINATE, MIN_LENGTH, TOUCH};
+use crate::narrow_phase::rays::{Standing, part};
+use crate::tolerance::{MAX_COORDINATE, MIN_LENGTH, TOUCH, touch_tolerance};
+use crate::world::pair::SLIDE;
 use crate::world::{BodyId, CollisionWorld};
 use glam::DVec3;
 
@@ -141,28 +143,46 @@ fn meet(
     motion: DVec3,
 ) -> Option<Meeting> {
     let found = crossing(shape, pose, other, other_pose, motion)?;
-    let (enter, leave) = (found.enter, found.leave);
-    if enter.fraction > 1.0 || leave < 0.0 {
+    let (enter, leave, length) = (found.enter, found.leave, motion.length());
+    let coordinate = (pose.position.abs()).max(other_pose.position.abs());
+    let size = shape.max_dist() + other.max_dist();
+    let touch = touch_tolerance(size, coordinate.max_element());
+    if (enter.fraction - 1.0) * length > touch || leave * length < -touch {
         return None;
     }
-    if enter.fraction < 0.0 {
-        if let Some(found) = overlap(shape, pose, other, other_pose) {
-            return Some(Meeting {
-                fraction: 0.0,
-                point: found.point,
-                normal: found.direction,
-                feature: found.feature_b,
-            });
-        }
-        // In touch but for rounding; about to leave if that is what the motion does.
-        if motion.dot(enter.normal) >= 0.0 {
+    if enter.fraction < 0.0
+        && let Some(found) = overlap(shape, pose, other, other_pose)
+    {
+        return Some(Meeting {
+            fraction: 0.0,
+            point: found.point,
+            normal: found.direction,
+            feature: found.feature_b,
+        });
+    }
+    let closing = -motion.dot(enter.normal);
+    // Deeper in since they met than a touch is deep, and yet without overlap: they part just now.
+    if -enter.fraction * closing > touch {
+        return None;
+    }
+    // In touch, and about to leave or to slide along, as in a frame.
+    let in_touch = enter.fraction * length <= touch
+        || enter.fraction * length <= SLIDE * size && enter.fraction * closing <= touch;
+    if in_touch {
+        let centres = other_pose.direction(other.centre()) - pose.direction(shape.centre());
+        let between = (other_pose.position - pose.position) + centres;
+        let standing = |shape, pose| Standing {
+            shape,
+            pose,
+            points: &[],
+        };
+        let pair = (standing(shape, pose), standing(other, other_pose));
+        if closing <= SLIDE * length || part(pair, between, motion, touch) {
             return None;
         }
-    } else if enter.fraction <= 0.0 && motion.dot(enter.normal) >= 0.0 {
-        return None;
     }
     Some(Meeting {
-        fraction: enter.fraction.max(0.0),
+        fraction: enter.fraction.clamp(0.0, 1.0),
         point: other_pose.position + enter.point,
         normal: enter.normal,
         feature: enter.features[1],
