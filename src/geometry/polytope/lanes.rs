@@ -5,8 +5,9 @@ use glam::DVec3;
 /// Vertices compared at once: a register of SSE2.
 pub(crate) const WIDTH: usize = 4;
 
-/// The last bits of a height, which are of no account, tell the number of the vertex: the largest of
-/// them tells both.
+/// The last bits of a height, which are of no account, tell the number of the vertex, from 1 on: the
+/// largest of them tells both. Setting no bits would be another operation for one of the lanes, and they
+/// would be done one by one.
 const NUMBER: u32 = 31;
 
 /// Four vertices as seen from the centre, in shares of the largest distance from there; places left
@@ -100,7 +101,7 @@ impl Lanes {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn heights(&self, [x, y, z]: [f32; 3]) -> [f32; WIDTH] {
         std::array::from_fn(|lane| x * self.x[lane] + y * self.y[lane] + z * self.z[lane])
     }
@@ -117,21 +118,32 @@ impl Lanes {
     /// The number of a vertex that is farthest along a direction to within 8e-6 of its length; some
     /// vertex if products of the coordinates are out of the range of `f32`.
     #[inline(always)]
-    pub(crate) fn highest(list: &[Self], [x, y, z]: [f32; 3]) -> u32 {
+    pub(crate) fn highest(list: &[Self], direction: [f32; 3]) -> u32 {
+        Self::number_of_highest(list.iter().map(|lanes| lanes.heights(direction)), direction)
+    }
+
+    /// The number of the largest of up to 24 heights along a direction, but for its last bits.
+    #[inline(always)]
+    pub(crate) fn number_of_highest(
+        heights: impl Iterator<Item = [f32; WIDTH]>,
+        direction: [f32; 3],
+    ) -> u32 {
         let higher = |a: f32, b: f32| if b > a { b } else { a };
+        // Not known to be nothing when this is compiled.
+        let nothing = 0.0 * direction[0];
         let mut most = [f32::NEG_INFINITY; WIDTH];
-        let mut numbers: [u32; WIDTH] = std::array::from_fn(|lane| lane as u32);
-        for lanes in list {
+        let mut numbers: [u32; WIDTH] = std::array::from_fn(|lane| 1 + lane as u32);
+        for four in heights {
             for lane in 0..WIDTH {
-                let height = x * lanes.x[lane] + y * lanes.y[lane] + z * lanes.z[lane];
+                let height = four[lane];
                 // Adding nothing keeps the comparison one of floats: a single instruction.
-                let height = f32::from_bits(height.to_bits() & !NUMBER | numbers[lane]) + 0.0;
+                let height = f32::from_bits(height.to_bits() & !NUMBER | numbers[lane]) + nothing;
                 most[lane] = higher(most[lane], height);
                 numbers[lane] += WIDTH as u32;
             }
         }
         let most = higher(higher(most[0], most[2]), higher(most[1], most[3]));
-        most.to_bits() & NUMBER
+        (most.to_bits() & NUMBER).max(1) - 1
     }
 
     /// Where a vertex is.

@@ -9,6 +9,7 @@ mod lanes;
 mod mesh_check;
 mod orient;
 mod simplex;
+mod summits;
 mod support;
 mod topology;
 mod trim;
@@ -23,6 +24,7 @@ use faces::Faces;
 use glam::DVec3;
 use hull::convex_hull;
 pub(crate) use lanes::{Lanes, WIDTH as LANES};
+pub(crate) use summits::Summits;
 use support::Support;
 use topology::{Lists, vertex_neighbours};
 
@@ -95,6 +97,8 @@ pub struct Polytope {
     max_dist: f64,
     /// The vertices in single precision, if there are few.
     lanes: Vec<Lanes>,
+    /// By directions, if they are many.
+    summits: Summits,
     vertices: Vec<DVec3>,
     normals: Vec<DVec3>,
     edge_map: EdgeMap,
@@ -230,6 +234,7 @@ impl Polytope {
         };
         let mut polytope = Self {
             lanes,
+            summits: Summits::of(&vertices, &support, centre, max_dist),
             offsets: faces.offsets(&vertices, &triangles, &support, tolerance),
             edge_map: EdgeMap::new(&vertices, &faces.edges),
             vertices,
@@ -263,6 +268,13 @@ impl Polytope {
     #[inline]
     pub(crate) fn face_map(&self) -> &FaceMap {
         &self.face_map
+    }
+
+    /// For every direction the vertices that may be farthest along it; nothing if there are few, or
+    /// very many.
+    #[inline]
+    pub(crate) fn summits(&self) -> &Summits {
+        &self.summits
     }
 
     /// The vertices in single precision, four by four; none if they are many.

@@ -121,6 +121,43 @@ impl Support {
         most
     }
 
+    /// All corners of the hull that may be farthest along a direction between these; of a convex
+    /// body they hang together.
+    ///
+    /// Some that are not are among them: left out are those that a single neighbour surpasses along
+    /// every direction. If they are more than `most`, only some.
+    pub(super) fn summits<'a, const N: usize>(
+        &self,
+        vertices: &[DVec3],
+        directions: &[DVec3; N],
+        most: usize,
+        seen: &'a mut Seen,
+    ) -> &'a [u32] {
+        let middle = directions.iter().sum();
+        seen.clear();
+        seen.push(self.vertex(vertices, middle));
+        let mut next = 0;
+        while let Some(&vertex) = seen.list.get(next)
+            && seen.list.len() <= most
+        {
+            next += 1;
+            for &other in self.climb.get(vertex as usize) {
+                if seen.listed[other as usize] {
+                    continue;
+                }
+                let here = vertices[other as usize];
+                let surpassed = |&higher: &u32| {
+                    let step = here - vertices[higher as usize];
+                    directions.iter().all(|direction| direction.dot(step) < 0.0)
+                };
+                if !self.climb.get(other as usize).iter().any(surpassed) {
+                    seen.push(other);
+                }
+            }
+        }
+        &seen.list
+    }
+
     /// From neighbour to higher neighbour. Heights are taken from differences
     /// of vertices: seen from afar, all of a cluster's vertices look equally high.
     ///

@@ -39,8 +39,8 @@ use glam::{DQuat, DVec3};
 ///
 /// Two boxes take fifteen swept separating axes (Gottschalk, Lin & Manocha, 1996). Other
 /// pairs search the portal of the Minkowski difference that the ray goes through
-/// (Snethen, *XenoCollide*, 2008): five to ten supports, more for large hulls. With up to 24 vertices a body
-/// the search is in single precision, and what it finds is proven in double. The few that
+/// (Snethen, *XenoCollide*, 2008): five to ten supports, more for large hulls. With up to 256 vertices a
+/// body the search is in single precision, and what it finds is proven in double. The few that
 /// rounding leaves undecided try every face of the difference.
 ///
 /// ```

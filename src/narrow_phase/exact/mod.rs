@@ -22,6 +22,7 @@ mod ball_triangle;
 mod body;
 mod boxes;
 mod cast;
+mod cloud;
 mod contact_patch;
 mod corners;
 mod crossing;

@@ -1,13 +1,15 @@
-//! Where a ray enters the difference of two bodies with few vertices, in single precision.
+//! Where a ray enters the difference of two bodies without very many vertices, in single precision.
 //!
-//! The search of [`portal`](super::portal) over again, with all vertices turned into the ray's frame
-//! beforehand: a farthest vertex then costs a handful of instructions, and its place is at hand.
+//! The search of [`portal`](super::portal) over again. If vertices are few, all are turned into the
+//! ray's frame beforehand: a farthest one then costs a handful of instructions, and its place is at hand.
+//! Of more, a table has those that may be farthest along a direction.
 //! What is found is a guess that has yet to be [proven](super::proof); only that
 //! the ray passes by is proven here, by a margin that rounding cannot reach.
 
 use super::body::Body;
+use super::cloud::{Cloud, Many, Turn, Turned, Unturned, Vector, dot, single};
 use super::pair::Pair;
-use crate::geometry::{LANES, Lanes, Shape};
+use crate::geometry::{LANES, Lanes, Polytope, Shape};
 use glam::{DMat3, DVec3};
 
 /// Blocks of vertices that a body may have, and those of the small ones.
@@ -22,16 +24,22 @@ const MISS: f32 = 4e-5;
 /// A face is found if the difference reaches over it by no more than this share of its size.
 const LEVEL: f32 = 1e-5;
 
-/// Steps before a search gives up; one or two to enclose the ray and three to refine as a rule.
+/// Steps before a search gives up; one or two to enclose the ray and three to refine as a rule, five with
+/// a hundred vertices a body.
 const MAX_STEPS: usize = 24;
 
-/// Square of that ball's radius, in shares of the pair's size: bodies do not fill the spheres around
-/// them.
+/// Square of the radius of the ball that the difference is taken for, in shares of the pair's size: bodies do
+/// not fill the spheres around them.
 const BALL: f32 = 0.8;
 
 /// How steeply a direction across the ray is tilted against it on the way to the first portal, so that
 /// this lies near the entry.
-const TILT: f32 = 0.5;
+const TILT: f32 = 1.0;
+
+/// How far the direction of the second point leads beyond the ray, in shares of how far the first point lies
+/// from it. Two would be as far, were the difference a ball; a ray missed takes more steps than a
+/// larger triangle.
+const BEYOND: f32 = 2.5;
 
 /// What a search finds.
 pub(super) enum Rough {
@@ -42,17 +50,9 @@ pub(super) enum Rough {
     Unclear,
 }
 
-/// Across the ray in two axes, then along it.
-type Vector = [f32; 3];
-
 #[inline]
 fn minus([a, b, c]: Vector, [x, y, z]: Vector) -> Vector {
     [a - x, b - y, c - z]
-}
-
-#[inline]
-fn dot([a, b, c]: Vector, [x, y, z]: Vector) -> f32 {
-    a * x + b * y + c * z
 }
 
 #[inline]
@@ -66,36 +66,6 @@ fn area([a, b, _]: Vector, [x, y, _]: Vector) -> f32 {
     a * y - b * x
 }
 
-/// A body's vertices in the frame of the ray, in shares of the pair's size.
-struct Cloud<const N: usize> {
-    blocks: [Lanes; N],
-    count: usize,
-}
-
-impl<const N: usize> Cloud<N> {
-    const EMPTY: Self = Self {
-        blocks: [Lanes::NONE; N],
-        count: 0,
-    };
-
-    /// Takes vertices turned by a matrix of these columns and shifted.
-    #[inline(always)]
-    fn fill(&mut self, list: &[Lanes], columns: &[Vector; 3], shift: Vector) {
-        for (block, lanes) in self.blocks.iter_mut().zip(list) {
-            *block = lanes.turned(columns, shift);
-        }
-        self.count = list.len().min(N);
-    }
-
-    /// A vertex that is farthest, or nearly, and where it is.
-    #[inline(always)]
-    fn farthest(&self, direction: Vector) -> (u32, Vector) {
-        let blocks = &self.blocks[..self.count];
-        let vertex = Lanes::highest(blocks, direction);
-        (vertex, Lanes::place(blocks, vertex))
-    }
-}
-
 /// A point of the difference, as seen from the ray.
 #[derive(Clone, Copy)]
 struct Probe {
@@ -104,12 +74,12 @@ struct Probe {
 }
 
 /// B's vertices and A's turned round.
-struct Clouds<const N: usize> {
-    a: Cloud<N>,
-    b: Cloud<N>,
+struct Clouds<A, B> {
+    a: A,
+    b: B,
 }
 
-impl<const N: usize> Clouds<N> {
+impl<A: Cloud, B: Cloud> Clouds<A, B> {
     #[inline(always)]
     fn support(&self, direction: Vector) -> Probe {
         let (a, [p, q, r]) = self.a.farthest(direction);
@@ -120,25 +90,36 @@ impl<const N: usize> Clouds<N> {
         }
     }
 
+    /// The point that is farthest out beyond the ray. If the difference does not reach the ray there,
+    /// nothing else need be looked at.
+    #[inline(always)]
+    fn outermost(&self, [x, y, _]: Vector) -> Result<Probe, Rough> {
+        let outermost = self.support([x, y, 0.0]);
+        let reach = outermost.point[0] * x + outermost.point[1] * y;
+        if reach >= 0.0 {
+            Ok(outermost)
+        } else if reach * reach > MISS * MISS * (x * x + y * y) {
+            Err(Rough::Miss)
+        } else {
+            Err(Rough::Unclear)
+        }
+    }
+
     /// From two points to three around the ray, as
     /// [`Shadow::enclose`](super::portal::Shadow::enclose) does it, then to the face; `ray` is its place as
     /// seen from B's centre.
     ///
     /// The first of the two points is near to where the ray would enter were the difference a ball, the
-    /// second as far out as any beyond the ray: if there is none, nothing else need be looked at.
-    fn search(&self, [x, y, _]: Vector) -> Rough {
+    /// second on the other side of the ray, about as far: from small triangles it is not far to the
+    /// face.
+    fn search(&self, [x, y, _]: Vector, outermost: Probe) -> Rough {
         let beyond = (BALL - x * x - y * y).max(0.05).sqrt();
         let first = self.support([x, y, -beyond]);
-        let second = self.support([x, y, 0.0]);
-        let reach = second.point[0] * x + second.point[1] * y;
-        if reach < 0.0 {
-            return if reach * reach > MISS * MISS * (x * x + y * y) {
-                Rough::Miss
-            } else {
-                Rough::Unclear
-            };
-        }
         let p = first.point;
+        let mut second = self.support([x - BEYOND * p[0], y - BEYOND * p[1], -beyond]);
+        if second.vertices == first.vertices {
+            second = outermost;
+        }
         let side = minus(second.point, p);
         // To the right of the line.
         let (x, y) = (side[1], -side[0]);
@@ -214,10 +195,11 @@ enum Vertices<'a> {
     Few(&'a [Lanes]),
     Box([Lanes; 2]),
     Triangle([Lanes; 1]),
+    Many(&'a Polytope),
 }
 
 impl<'a> Vertices<'a> {
-    /// None if there are many.
+    /// None if there are very many.
     #[inline(always)]
     fn of(body: &Body<'a>) -> Option<Self> {
         match body.shape {
@@ -232,61 +214,165 @@ impl<'a> Vertices<'a> {
                 Some(Self::Triangle([Lanes::of([a, b, c, DVec3::NAN])]))
             }
             Shape::Polytope(polytope) => match polytope.lanes() {
-                [] => None,
+                [] => (!polytope.summits().is_empty()).then_some(Self::Many(polytope)),
                 lanes => Some(Self::Few(lanes)),
             },
         }
     }
 
     #[inline(always)]
-    fn list(&self) -> &[Lanes] {
+    fn list(&self) -> Among<'_> {
         match self {
-            Self::Few(list) => list,
-            Self::Box(list) => list,
-            Self::Triangle(list) => list,
+            Self::Few(list) => Among::Few(list),
+            Self::Box(list) => Among::Few(list),
+            Self::Triangle(list) => Among::Few(list),
+            Self::Many(polytope) => Among::Many(polytope),
         }
     }
 }
 
-/// Where A enters the difference; unclear too if one of the bodies has many vertices.
+/// Few vertices or many.
+enum Among<'a> {
+    Few(&'a [Lanes]),
+    Many(&'a Polytope),
+}
+
+/// Where A enters the difference; unclear too if one of the bodies has very many vertices.
 pub(super) fn search(pair: &Pair) -> Rough {
     let (Some(a), Some(b)) = (Vertices::of(&pair.a), Vertices::of(&pair.b)) else {
         return Rough::Unclear;
     };
-    let (a, b) = (a.list(), b.list());
-    if a.len().max(b.len()) <= SMALL {
-        search_among::<SMALL>(pair, a, b)
-    } else {
-        search_among::<BLOCKS>(pair, a, b)
+    match (a.list(), b.list()) {
+        (Among::Few(a), Among::Few(b)) if a.len().max(b.len()) <= SMALL => {
+            search_few::<SMALL>(pair, a, b)
+        }
+        (Among::Few(a), Among::Few(b)) => search_few::<BLOCKS>(pair, a, b),
+        (Among::Many(a), Among::Many(b)) => search_many(pair, a, b),
+        (Among::Few(list), Among::Many(polytope)) => {
+            let Seen {
+                ray,
+                turn_a,
+                turn_b,
+            } = Seen::new(pair);
+            let mut clouds = Clouds {
+                a: Turned::<BLOCKS>::EMPTY,
+                b: Many {
+                    polytope,
+                    turn: turn_b,
+                },
+            };
+            clouds.a.fill(list, &turn_a);
+            clouds
+                .outermost(ray)
+                .map_or_else(|miss| miss, |outermost| clouds.search(ray, outermost))
+        }
+        (Among::Many(polytope), Among::Few(list)) => {
+            let Seen {
+                ray,
+                turn_a,
+                turn_b,
+            } = Seen::new(pair);
+            let mut clouds = Clouds {
+                a: Many {
+                    polytope,
+                    turn: turn_a,
+                },
+                b: Turned::<BLOCKS>::EMPTY,
+            };
+            clouds.b.fill(list, &turn_b);
+            clouds
+                .outermost(ray)
+                .map_or_else(|miss| miss, |outermost| clouds.search(ray, outermost))
+        }
     }
 }
 
 #[inline(always)]
-fn search_among<const N: usize>(pair: &Pair, a: &[Lanes], b: &[Lanes]) -> Rough {
-    let frame = Frame::new(pair.motion);
-    let per_size = 1.0 / pair.size;
-    let ray = frame.seen(single(per_size * pair.nearest));
-    let columns = |rotation: &DMat3, share: f32| {
-        let [x, y, z] = rotation.to_cols_array_2d();
-        [x, y, z].map(|column| frame.seen(column.map(|x| x as f32)).map(|x| share * x))
+fn search_few<const N: usize>(pair: &Pair, a: &[Lanes], b: &[Lanes]) -> Rough {
+    let Seen {
+        ray,
+        turn_a,
+        turn_b,
+    } = Seen::new(pair);
+    // Many a ray passes by: only for others all vertices are turned.
+    let unturned = Clouds {
+        a: Unturned {
+            list: a,
+            turn: turn_a,
+        },
+        b: Unturned {
+            list: b,
+            turn: turn_b,
+        },
     };
-    let (share_a, share_b) = (pair.a.radius * per_size, pair.b.radius * per_size);
+    let outermost = match unturned.outermost(ray) {
+        Ok(outermost) => outermost,
+        Err(miss) => return miss,
+    };
     // In place: a copy would cost as much as the turning.
-    let mut clouds = Clouds::<N> {
-        a: Cloud::EMPTY,
-        b: Cloud::EMPTY,
+    let mut clouds = Clouds {
+        a: Turned::<N>::EMPTY,
+        b: Turned::<N>::EMPTY,
     };
-    let (a_columns, b_columns) = (
-        columns(&pair.a.rotation, -share_a as f32),
-        columns(&pair.b.rotation, share_b as f32),
-    );
-    clouds.a.fill(a, &a_columns, [0.0; 3]);
-    clouds.b.fill(b, &b_columns, ray.map(|x| -x));
-    clouds.search(ray)
+    clouds.a.fill(a, &turn_a);
+    clouds.b.fill(b, &turn_b);
+    clouds.search(ray, outermost)
 }
 
-fn single(vector: DVec3) -> Vector {
-    vector.to_array().map(|x| x as f32)
+#[inline(never)]
+fn search_many(pair: &Pair, a: &Polytope, b: &Polytope) -> Rough {
+    let Seen {
+        ray,
+        turn_a,
+        turn_b,
+    } = Seen::new(pair);
+    let clouds = Clouds {
+        a: Many {
+            polytope: a,
+            turn: turn_a,
+        },
+        b: Many {
+            polytope: b,
+            turn: turn_b,
+        },
+    };
+    clouds
+        .outermost(ray)
+        .map_or_else(|miss| miss, |outermost| clouds.search(ray, outermost))
+}
+
+/// A pair in the frame of the ray, in shares of its size.
+struct Seen {
+    /// The ray's place from B's centre.
+    ray: Vector,
+    /// A's vertices are turned round as well.
+    turn_a: Turn,
+    turn_b: Turn,
+}
+
+impl Seen {
+    #[inline(always)]
+    fn new(pair: &Pair) -> Self {
+        let frame = Frame::new(pair.motion);
+        let per_size = 1.0 / pair.size;
+        let columns = |rotation: &DMat3, share: f32| {
+            let [x, y, z] = rotation.to_cols_array_2d();
+            [x, y, z].map(|column| frame.seen(column.map(|x| x as f32)).map(|x| share * x))
+        };
+        let (share_a, share_b) = (pair.a.radius * per_size, pair.b.radius * per_size);
+        let ray = frame.seen(single(per_size * pair.nearest));
+        Self {
+            ray,
+            turn_a: Turn {
+                columns: columns(&pair.a.rotation, -share_a as f32),
+                shift: [0.0; 3],
+            },
+            turn_b: Turn {
+                columns: columns(&pair.b.rotation, share_b as f32),
+                shift: ray.map(|x| -x),
+            },
+        }
+    }
 }
 
 /// Axes of which the third is the ray's.
