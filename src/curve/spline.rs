@@ -289,6 +289,18 @@ impl Spline {
         self.arc_length.distance_at(&self.pieces, piece, u)
     }
 
+    /// How far a piece may be followed smoothly: see [`ArcLength::smooth_way`].
+    #[inline]
+    pub(crate) fn smooth_way(
+        &self,
+        piece: usize,
+        from: (Near, f64),
+        forward: bool,
+        root: f64,
+    ) -> (f64, f64) {
+        self.arc_length.smooth_way(piece, from, forward, root)
+    }
+
     /// The distance at which a piece begins.
     pub(crate) fn joint(&self, piece: usize) -> f64 {
         self.arc_length.joint(piece)
