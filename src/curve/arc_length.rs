@@ -74,6 +74,7 @@ impl ArcLength {
                 Span::each(&velocity, &cut, |span, way| {
                     let mut push = |mut span: Span, way: f64| {
                         span.start = sum.value();
+                        span.measure(curve);
                         spans.push(span);
                         sum.add(way);
                         length += way;
@@ -207,6 +208,43 @@ impl ArcLength {
         let end = next.map_or_else(|| self.joint(piece + 1), |next| next.start);
         let distance = spans[index].distance_to(&pieces[piece].velocity(), u);
         distance.map_or(end, |distance| distance.min(end))
+    }
+
+    /// How far a curve may be followed from `distance` on, which lies [there](Near), up to its end or back to its
+    /// start, so that its fourth derivative by distance times the way's fourth power is no more than
+    /// `root` is to the fourth; and the fourth root of that derivative's inverse.
+    pub(crate) fn smooth_way(
+        &self,
+        piece: usize,
+        (near, distance): (Near, f64),
+        forward: bool,
+        root: f64,
+    ) -> (f64, f64) {
+        let (first, next) = (self.firsts[piece], self.firsts[piece + 1]);
+        let mut way = 0.0;
+        let mut smooth = f64::INFINITY;
+        // Rounding may have told the neighbour's span.
+        let mut span = near.0.clamp(first, next - 1);
+        loop {
+            let here = smooth.min(f64::from(self.spans[span as usize].smooth));
+            let longest = root * here;
+            if longest <= way {
+                return (way, smooth);
+            }
+            smooth = here;
+            let (end, last) = if forward {
+                let end = self.spans.get(span as usize + 1);
+                (end.map_or(self.length, |next| next.start), span + 1 == next)
+            } else {
+                (self.spans[span as usize].start, span == first)
+            };
+            let room = (end - distance).abs();
+            if last || longest <= room {
+                return (longest, smooth);
+            }
+            way = room;
+            span = if forward { span + 1 } else { span - 1 };
+        }
     }
 
     /// A curve's spans: at least one.

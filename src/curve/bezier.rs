@@ -194,6 +194,12 @@ impl CubicBezier {
         [3.0 * (b1 - b0), 3.0 * (b2 - b1), 3.0 * (b3 - b2)]
     }
 
+    /// The unit tangent at `u`. Not finite in a cusp.
+    pub(crate) fn leading(&self, u: f64) -> DVec3 {
+        let velocity = first_derivative(self.velocity(), u);
+        velocity / velocity.length()
+    }
+
     /// How the curve goes on at `u`, by distance: its unit tangent and the derivative of that. Not
     /// finite in a cusp.
     pub(crate) fn heading(&self, u: f64) -> (DVec3, DVec3) {

@@ -12,6 +12,7 @@ mod data;
 mod fit;
 mod hermite;
 mod hodograph;
+mod jounce;
 mod quadratic;
 mod section;
 mod span;

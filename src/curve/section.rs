@@ -1,6 +1,7 @@
 //! A stretch of one cubic, and bounds on what it does there.
 
 use crate::curve::CubicBezier;
+use crate::curve::jounce::jounce;
 use glam::DVec3;
 
 /// The velocity over a stretch of a cubic, as a quadratic Bézier curve of its own.
@@ -107,43 +108,9 @@ impl Section {
         }
     }
 
-    /// Upper bounds of how the unit tangent changes with the distance flown; none beside a cusp.
-    ///
-    /// With `c = v × v'`, which is a quadratic Bézier curve again, the unit tangent's
-    /// derivative by distance is `c × v / |v|⁴`, as large as the curvature `κ = |c|/|v|³`; and that one's is
-    /// `c' × v / |v|⁵ − 3 (c × v)(v·v') / |v|⁷ + c × v'⊥ / |v|⁵`, whose last term is `κ²` large. No
-    /// control point is smaller than what bounds it.
-    pub(crate) fn limits(&self) -> Option<Limits> {
-        let [a, b, c] = self.velocity;
-        let axis = a + b + c;
-        let slowest = axis.dot(a).min(axis.dot(b)).min(axis.dot(c)) / axis.length();
-        // NaN, of an axis that vanishes, is none.
-        if slowest.is_nan() || slowest <= 0.0 {
-            return None;
-        }
-        let rate = 1.0 / self.width.abs();
-        let squared = |vector: DVec3| vector.length_squared();
-        let cross = squared(a.cross(b))
-            .max(0.25 * squared(a.cross(c)))
-            .max(squared(b.cross(c)));
-        let cross = 2.0 * rate * cross.sqrt();
-        let change = 2.0 * rate * squared(b - a).max(squared(c - b)).sqrt();
-        let twice = (a - b) + (c - b);
-        let sway = squared(twice.cross(a))
-            .max(squared(twice.cross(b)))
-            .max(squared(twice.cross(c)));
-        let sway = 2.0 * rate * rate * sway.sqrt();
-        let per_speed = 1.0 / slowest;
-        let square = per_speed * per_speed;
-        let curvature = cross * square * per_speed;
-        let rise =
-            (sway + 3.0 * cross * change * per_speed) * square * square + curvature * curvature;
-        let limits = Limits {
-            length: slowest * self.width.abs() * (1.0 - 64.0 * f64::EPSILON),
-            curvature: curvature * (1.0 + 64.0 * f64::EPSILON),
-            rise: rise * (1.0 + 64.0 * f64::EPSILON),
-        };
-        limits.rise.is_finite().then_some(limits)
+    /// An upper bound of the fourth derivative by arc length, per cubic metre; infinite beside a cusp.
+    pub(crate) fn jounce(&self) -> f64 {
+        jounce(&self.velocity, self.width)
     }
 
     /// Upper bounds of how the angular velocity of a body that keeps `up` upright changes with the distance
@@ -204,28 +171,6 @@ impl Section {
             width: self.width.abs(),
             curvature,
         })
-    }
-}
-
-/// How much the unit tangent changes at most on a stretch of a cubic.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Limits {
-    /// The stretch is at least so long, in metres.
-    pub(crate) length: f64,
-    /// Of its first derivative by distance, per metre.
-    pub(crate) curvature: f64,
-    /// Of its second, per square metre.
-    pub(crate) rise: f64,
-}
-
-impl Limits {
-    /// Of two stretches that follow on each other.
-    pub(crate) fn and(&self, next: &Self) -> Self {
-        Self {
-            length: self.length + next.length,
-            curvature: self.curvature.max(next.curvature),
-            rise: self.rise.max(next.rise),
-        }
     }
 }
 

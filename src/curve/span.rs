@@ -1,6 +1,7 @@
 //! Stretches of a cubic short enough for one quadrature rule.
 
 use crate::curve::hodograph::Hodograph;
+use crate::curve::{CubicBezier, Section};
 use glam::DVec3;
 use std::ops::Range;
 
@@ -52,6 +53,8 @@ pub(crate) struct Span {
     /// The reciprocal of its arc length.
     per_length: f64,
     guess: Guess,
+    /// The fourth derivative by arc length is no more than the inverse of this one's fourth power; 0 beside a cusp.
+    pub(crate) smooth: f32,
 }
 
 /// A stretch of a cubic that is short enough to be a [`Span`].
@@ -209,7 +212,19 @@ impl Span {
             width: cut.width,
             per_length: cut.length.recip(),
             guess: Guess::new(&hodograph, cut.length),
+            smooth: 0.0,
         }
+    }
+
+    /// Looks how much the fourth derivative is at most.
+    ///
+    /// What bounds halves does so better than what bounds the whole.
+    pub(crate) fn measure(&mut self, curve: &CubicBezier) {
+        let ends = [self.u_start, (self.u_start + self.width).min(1.0)];
+        let [first, last] = Section::of(curve, ends, true).halves();
+        let root = first.jounce().max(last.jounce()).sqrt().sqrt();
+        // Of a straight one, as far as numbers go.
+        self.smooth = (root.recip() as f32).min(f32::MAX).next_down().max(0.0);
     }
 
     /// Whether one step of the iteration is enough.

@@ -23,7 +23,7 @@ use glam::DVec3;
 /// A look-up evaluates one polynomial, checked when the spline was built, and its steps do not
 /// grow with the number of pieces: some 90 ns for up to hundreds of them (`benches/arc_length.rs`). At random among
 /// ten thousand it mostly waits for memory. Building costs some 40 µs a piece; of splines of more than
-/// 1024 pieces, which keep no polynomials, 5 µs.
+/// 1024 pieces, which keep no polynomials, some 10 µs.
 ///
 /// Source: the thesis, section 2.2.8.
 ///
@@ -287,6 +287,18 @@ impl Spline {
     #[must_use]
     pub fn distance_at(&self, piece: usize, u: f64) -> f64 {
         self.arc_length.distance_at(&self.pieces, piece, u)
+    }
+
+    /// How far a piece may be followed smoothly: see [`ArcLength::smooth_way`].
+    #[inline]
+    pub(crate) fn smooth_way(
+        &self,
+        piece: usize,
+        from: (Near, f64),
+        forward: bool,
+        root: f64,
+    ) -> (f64, f64) {
+        self.arc_length.smooth_way(piece, from, forward, root)
     }
 
     /// The distance at which a piece begins.

@@ -28,5 +28,5 @@ pub use spin::Spin;
 
 pub(crate) use frame_motion::FrameMotion;
 pub(crate) use passage::{Bend, TurningRate};
-pub(crate) use stretch::{Course, Stretch};
+pub(crate) use stretch::{Course, Spot, Stretch};
 pub(crate) use turning::Turning;

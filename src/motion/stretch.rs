@@ -1,6 +1,6 @@
 //! Parts of a frame on which a body moves as one formula says.
 
-use crate::curve::{CubicBezier, Near, Spline};
+use crate::curve::{CubicBezier, Near, Section, Spline};
 use crate::motion::kind::Kind;
 use crate::motion::{FrameMotion, Motion};
 use glam::DVec3;
@@ -31,11 +31,23 @@ pub(crate) struct Curve<'a> {
     pub(crate) piece: &'a CubicBezier,
     index: usize,
     /// Where it begins.
+    start: Near,
+    /// Where it was looked for last.
     near: Near,
     /// Parameters of the piece at the stretch's start and end; falling on the way back.
     pub(crate) u: [f64; 2],
     /// Distances of both along the path.
     distances: [f64; 2],
+}
+
+/// A place on a [`Curve`].
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Spot {
+    /// The parameter of the piece.
+    pub(crate) u: f64,
+    /// Along the path.
+    distance: f64,
+    near: Near,
 }
 
 impl FrameMotion {
@@ -98,6 +110,7 @@ impl FrameMotion {
                 spline,
                 piece: &spline.pieces()[index],
                 index,
+                start: near,
                 near,
                 u: [u, u_end],
                 distances: [start, end],
@@ -120,36 +133,62 @@ impl Stretch<'_> {
 impl Curve<'_> {
     /// The parameter of the piece when a share of the stretch's time has passed.
     pub(crate) fn u_at(&self, share: f64) -> f64 {
-        self.u_near(share, self.near).0
+        if share >= 1.0 {
+            return self.u[1];
+        }
+        self.spot_near(share, self.near).u
     }
 
     /// The same for who asks again and again, each time not far from the last.
-    pub(crate) fn seek(&mut self, share: f64) -> f64 {
-        let (u, near) = self.u_near(share, self.near);
-        self.near = near;
-        u
+    pub(crate) fn seek(&mut self, share: f64) -> Spot {
+        let spot = self.spot_near(share, self.near);
+        self.near = spot.near;
+        spot
     }
 
     #[inline]
-    fn u_near(&self, share: f64, near: Near) -> (f64, Near) {
+    fn spot_near(&self, share: f64, near: Near) -> Spot {
         let [first, last] = self.u;
-        if share <= 0.0 {
-            return (first, near);
-        }
-        if share >= 1.0 {
-            return (last, near);
-        }
         let [start, end] = self.distances;
-        let distance = start + share * (end - start);
+        // Both ends to the bit; what is beside them all the same.
+        let distance = if share <= 0.0 {
+            return Spot {
+                u: first,
+                distance: start,
+                near: self.start,
+            };
+        } else if share >= 1.0 {
+            end
+        } else {
+            start + share * (end - start)
+        };
         let ((piece, u), near) = self.spline.locate_near(distance, near);
-        let u = if piece == self.index {
+        let u = if share >= 1.0 {
+            last
+        } else if piece == self.index {
             u.clamp(first.min(last), first.max(last))
         } else if (piece > self.index) == (last >= first) {
             last
         } else {
             first
         };
-        (u, near)
+        Spot { u, distance, near }
+    }
+
+    /// How far it may be followed from a place on so that its fourth derivative by distance times that way's
+    /// fourth power is no more than `root` is to the fourth; and the fourth root of that derivative's inverse.
+    /// Nothing beside a cusp.
+    #[inline]
+    pub(crate) fn smooth_way(&self, from: &Spot, root: f64) -> (f64, f64) {
+        let place = (from.near, from.distance);
+        self.spline
+            .smooth_way(self.index, place, self.is_forward(), root)
+    }
+
+    /// An upper bound of the fourth derivative by distance between two places, per cubic metre; infinite beside
+    /// a cusp.
+    pub(crate) fn jounce(&self, [from, to]: [&Spot; 2]) -> f64 {
+        Section::of(self.piece, [from.u, to.u], self.is_forward()).jounce()
     }
 
     /// The share of the stretch's time that has passed when the piece's parameter is `u`.
@@ -165,21 +204,6 @@ impl Curve<'_> {
         let share = (self.spline.distance_at(self.index, u) - start) / (end - start);
         // NaN, of a stretch without length, counts as its start.
         if share > 0.0 { share.min(1.0) } else { 0.0 }
-    }
-
-    /// About what its parameter is `way` metres after it was `u`, rather more than less; the last if that is where
-    /// it `ends`.
-    pub(crate) fn u_after(&self, u: f64, way: f64, ends: bool) -> f64 {
-        /// By so much more: speeds by the parameter change.
-        const MORE: f64 = 1.125;
-        let last = self.u[1];
-        let by = MORE * way / self.piece.derivative(u).length();
-        // Not so for NaN.
-        if !ends && by < (last - u).abs() {
-            u + by.copysign(last - u)
-        } else {
-            last
-        }
     }
 
     /// Whether it is passed in the sense of its parameter.

@@ -7,6 +7,7 @@
 //! for with support functions, and time, point and normal are computed afresh
 //! from the features that touch.
 
+mod abreast;
 mod advance;
 mod aligned;
 mod ball_approach;
@@ -21,6 +22,7 @@ mod ball_touch;
 mod ball_triangle;
 mod body;
 mod boxes;
+mod bridge;
 mod cast;
 mod cloud;
 mod contact_patch;
@@ -30,9 +32,9 @@ mod cubic;
 mod edges;
 mod extremes;
 mod faces;
+mod falling;
 mod flat;
 mod flight;
-mod gait;
 mod gliding;
 mod meeting;
 mod nearness;

@@ -1,6 +1,8 @@
 //! Planes between two shapes that do not turn.
 
-use crate::geometry::{Cuboid, Pose, Shape};
+use super::Touching;
+use super::bridge::Bridge;
+use crate::geometry::{Cuboid, Feature, Pose, Shape};
 use crate::narrow_phase::distance::Separator;
 use glam::{DMat3, DQuat, DVec3};
 
@@ -21,12 +23,51 @@ pub(super) trait Parting {
     /// The plane between them where `between` leads from B's position to A's; none if they overlap
     /// and nothing tells which way out.
     fn part(&mut self, between: DVec3) -> Option<Parted>;
+
+    /// The touch of two bodies that are parted by as little as counts for nothing, of which no cast can tell.
+    fn grazed(&self, _parted: &Parted) -> Option<Touching> {
+        None
+    }
+
+    /// By what the way from B's position to A's bends the gap of a plane besides its own bend, if it goes on at a
+    /// velocity.
+    fn rounding(&self, _parted: &Parted, _velocity: DVec3) -> f64 {
+        0.0
+    }
+
+    /// A share of the time of a bridge until which they are apart by more than `floor` for certain, that are `parted`
+    /// as it begins; none if they are so all the time.
+    ///
+    /// Plane after plane, each where the last one ends.
+    fn clear_on(&mut self, bridge: &Bridge, parted: &Parted, floor: f64) -> Option<f64> {
+        /// Two or three do as a rule.
+        const PLANES: u32 = 8;
+        /// A plane that does for no more than this share of the time is the last.
+        const LITTLE: f64 = 1e-2;
+        let (mut plane, mut at, mut from) = (*parted, bridge.points[0], 0.0);
+        for _ in 0..PLANES {
+            let next = bridge.above(&plane, at, from, floor)?;
+            let little = next - from <= LITTLE;
+            from = next;
+            if little {
+                break;
+            }
+            [at, ..] = bridge.at(from);
+            match self.part(at) {
+                Some(parted) if parted.gap > floor => plane = parted,
+                _ => break,
+            }
+        }
+        Some(from)
+    }
 }
 
 /// Two balls.
 pub(super) struct Balls {
     /// The sum of their radii.
     pub(super) radii: f64,
+    /// The second one's.
+    pub(super) radius: f64,
 }
 
 impl Parting for Balls {
@@ -39,6 +80,26 @@ impl Parting for Balls {
             gap,
             distance: gap,
         })
+    }
+
+    fn grazed(&self, parted: &Parted) -> Option<Touching> {
+        Some(Touching {
+            fraction: 0.0,
+            point: self.radius * parted.normal,
+            normal: parted.normal,
+            features: [Feature::Surface; 2],
+        })
+    }
+
+    #[inline]
+    fn rounding(&self, parted: &Parted, velocity: DVec3) -> f64 {
+        let along = parted.normal.dot(velocity);
+        (velocity.length_squared() - along * along) / (parted.gap + self.radii)
+    }
+
+    #[inline]
+    fn clear_on(&mut self, bridge: &Bridge, _: &Parted, floor: f64) -> Option<f64> {
+        bridge.beyond(self.radii + floor, 0.5 * floor)
     }
 }
 
