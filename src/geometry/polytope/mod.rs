@@ -9,6 +9,7 @@ mod lanes;
 mod mesh_check;
 mod orient;
 mod simplex;
+pub(crate) mod sketch;
 mod support;
 mod topology;
 mod trim;
@@ -23,6 +24,7 @@ use faces::Faces;
 use glam::DVec3;
 use hull::convex_hull;
 pub(crate) use lanes::{Lanes, WIDTH as LANES};
+use sketch::Sketch;
 use support::Support;
 use topology::{Lists, vertex_neighbours};
 
@@ -93,10 +95,12 @@ pub struct Polytope {
     // looked at for a while each line of cache costs as much as a search.
     centre: DVec3,
     max_dist: f64,
-    /// The vertices in single precision, if there are few.
-    lanes: Vec<Lanes>,
+    /// Empty if it is not small.
+    sketch: Sketch,
     vertices: Vec<DVec3>,
     normals: Vec<DVec3>,
+    /// The vertices in single precision, if there are few.
+    lanes: Vec<Lanes>,
     edge_map: EdgeMap,
     support: Support,
     face_map: FaceMap,
@@ -240,10 +244,12 @@ impl Polytope {
             rims: faces.rims,
             support,
             face_map: FaceMap::default(),
+            sketch: Sketch::default(),
             centre,
             max_dist,
         };
         polytope.face_map = FaceMap::of(&polytope);
+        polytope.sketch = Sketch::of(&polytope);
         polytope
     }
 
@@ -263,6 +269,12 @@ impl Polytope {
     #[inline]
     pub(crate) fn face_map(&self) -> &FaceMap {
         &self.face_map
+    }
+
+    /// The polytope roughly, in one piece; none if it is not small.
+    #[inline]
+    pub(crate) fn sketch(&self) -> Option<&Sketch> {
+        (!self.sketch.is_empty()).then_some(&self.sketch)
     }
 
     /// The vertices in single precision, four by four; none if they are many.
