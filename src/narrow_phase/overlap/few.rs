@@ -20,6 +20,9 @@ const FEW_FOURS: usize = 5;
 const ROWS: usize = Sketch::VERTICES / 4;
 const FOURS: usize = Sketch::FACES / 4;
 
+/// Room for the numbers of all edges: a power of two, so that no place need be checked.
+const ROOM: usize = Sketch::EDGES.next_power_of_two();
+
 /// What rounding to single precision may do to a width, as a share of the radii and the offset
 /// together.
 ///
@@ -174,13 +177,13 @@ impl<const ROWS: usize, const FOURS: usize> Bounds<ROWS, FOURS> {
     /// vectors p and q lies αp + βq with α and β of one sign and α + β at least 1: if that point
     /// lies farther than `limit` along both, it does so along all of the arc.
     #[inline]
-    fn edges<'r>(&self, hull: &Hull, limit: f32, room: &'r mut [u8; Sketch::EDGES]) -> &'r [u8] {
+    fn edges<'r>(&self, hull: &Hull, limit: f32, room: &'r mut [u8; ROOM]) -> &'r [u8] {
         let beyond = self.beyond(limit);
         let (mut count, mut number) = (0, 0);
         hull.for_each_joint(|Joint { faces, .. }| {
             let [left, right] = faces.map(|face| beyond[usize::from(face) % Sketch::FACES]);
             // Written in any case, and overwritten if it is too wide: no branch.
-            room[count % Sketch::EDGES] = number;
+            room[count % ROOM] = number;
             count += usize::from(left & right == 0);
             number += 1;
         });
@@ -364,7 +367,7 @@ fn search<const ROWS: usize, const FOURS: usize>(pair: &Pair) -> Option<Width> {
             least.show(shown);
         }
     }
-    let mut rooms = [[0; Sketch::EDGES]; 2];
+    let mut rooms = [[0; ROOM]; 2];
     let [room_a, room_b] = &mut rooms;
     let edges_a = beside_a.edges(&pair.a, least.rough(), room_a);
     let edges_b = beside_b.edges(&pair.b, least.rough(), room_b);
