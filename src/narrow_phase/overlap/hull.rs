@@ -243,8 +243,22 @@ impl<'a> Hull<'a> {
     pub(super) fn farthest_within(&self, direction: DVec3, margin: f64) -> Vertices {
         let local = self.rotation.transpose() * direction;
         let mut near = Vertices::new();
-        match self.sketch {
-            Some(sketch) => {
+        match (self.shape, self.sketch) {
+            (Shape::Cuboid(cuboid), _) => {
+                let [x, y, z] = (cuboid.half_extents() * local).to_array();
+                let side = |bit: usize, part: f64| if bit & 1 == 1 { part } else { -part };
+                let height =
+                    |corner: usize| side(corner, x) + side(corner >> 1, y) + side(corner >> 2, z);
+                let heights: [f64; 8] = std::array::from_fn(height);
+                let top = heights.into_iter().fold(f64::NEG_INFINITY, f64::max);
+                for (index, _) in (0..)
+                    .zip(heights)
+                    .filter(|(_, height)| top - height <= margin)
+                {
+                    near.push(index);
+                }
+            }
+            (_, Some(sketch)) => {
                 // Rounded up.
                 let rough = Sketch::ERROR * self.radius as f32 + 1.01 * margin as f32;
                 let candidates = sketch.highest(local, rough);
@@ -254,7 +268,7 @@ impl<'a> Hull<'a> {
                     self.push_within(|| sketch::numbers(candidates), (local, margin), &mut near);
                 }
             }
-            None => {
+            _ => {
                 let all = 0..self.vertex_count() as u32;
                 self.push_within(|| all.clone(), (local, margin), &mut near);
             }
