@@ -23,11 +23,11 @@ pub use cuboid::Cuboid;
 pub use feature::Feature;
 pub use obb::Obb;
 pub use polytope::{Edge, Face, Polytope};
-pub(crate) use polytope::{LANES, Lanes};
+pub(crate) use polytope::{LANES, Lanes, sketch};
 pub use pose::Pose;
 pub use ray::Ray;
 pub use shape::Shape;
 pub use sphere::Sphere;
 pub use triangle::Triangle;
 
-pub(crate) use mesh::Mesh;
+pub(crate) use mesh::{Mesh, Vertices as MeshVertices};

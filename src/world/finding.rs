@@ -16,6 +16,9 @@ use crate::world::{Contact, Method, WorldConfig, balls};
 #[cfg(feature = "parallel")]
 const CHUNK: usize = 512;
 
+/// So few bodies stay in the cache from frame to frame: nothing need be read ahead.
+const NEAR: usize = 4096;
+
 /// All that the narrow phase reads.
 pub(super) struct Frame<'a> {
     pub(super) config: &'a WorldConfig,
@@ -93,6 +96,9 @@ impl Frame<'_> {
         pairs: &[(LeafId, LeafId)],
         at: impl Fn(LeafId) -> Option<Leaf<'a, Track>>,
     ) {
+        if self.slots.len() < NEAR {
+            return;
+        }
         let read = |sum: u32, &(a, b): &(LeafId, LeafId)| {
             let of = |id: LeafId| {
                 at(id).map_or(0, |leaf| {

@@ -4,7 +4,7 @@ use crate::early_out;
 use crate::geometry::{Pose, Shape};
 use crate::motion::{FrameMotion, Motion, Turning};
 use crate::narrow_phase::exact::{self, Encounter, Flight, Touching};
-use crate::narrow_phase::overlap::{of_balls, overlap};
+use crate::narrow_phase::overlap::{Gap, of_balls, overlap, overlap_or_gap};
 use crate::narrow_phase::rays::{Standing, part};
 use crate::tolerance::touch_tolerance;
 use crate::world::slots::Resident;
@@ -166,10 +166,12 @@ pub(crate) fn examine(
     {
         return Ok(None);
     }
-    if pair.stretching.reports_overlaps
-        && let Some(contact) = pair.overlap_at(0.0)
-    {
-        return Ok(Some(contact.into()));
+    if pair.stretching.reports_overlaps {
+        match pair.overlap_or_gap_at(0.0) {
+            Ok(contact) => return Ok(Some(contact.into())),
+            Err(Some(gap)) if straight && pair.stays_open(&gap, motions) => return Ok(None),
+            Err(_) => {}
+        }
     }
     if straight {
         pair.effort.stretches += 1;
@@ -291,10 +293,24 @@ impl Pair<'_> {
         position(self.b) - position(self.a) + (self.b.centre_offset - self.a.centre_offset)
     }
 
+    /// Whether a gap in the beginning is one till the end of the frame, if both move straight.
+    fn stays_open(&self, gap: &Gap, [motion_a, motion_b]: [DVec3; 2]) -> bool {
+        let far = |mover: &Mover<'_>, motion: DVec3| mover.frame.start.abs() + motion.abs();
+        let far = far(self.a, motion_a).max(far(self.b, motion_b));
+        // What comes as near as this counts as touching; and rounding.
+        let slack = 4.0 * touch_tolerance(self.reach(), far.max_element());
+        gap.stays(motion_a - motion_b, slack)
+    }
+
     /// The pair as overlapping at `fraction`, if it is.
     fn overlap_at(&self, fraction: f64) -> Option<PairContact> {
+        self.overlap_or_gap_at(fraction).ok()
+    }
+
+    /// The same, or how the two are apart, if it is known.
+    fn overlap_or_gap_at(&self, fraction: f64) -> Result<PairContact, Option<Gap>> {
         if self.between(fraction).length_squared() >= self.reach() * self.reach() {
-            return None;
+            return Err(None);
         }
         let found = if let (Shape::Sphere(a), Shape::Sphere(b)) = (self.a.shape, self.b.shape)
             && !self.a.turns()
@@ -304,12 +320,12 @@ impl Pair<'_> {
             // its centre needs one.
             let position = |mover: &Mover<'_>| mover.frame.position_at(mover.motion, fraction);
             let (at_a, at_b) = (position(self.a), position(self.b));
-            of_balls((at_a, a.radius()), (at_b, b.radius()))?
+            of_balls((at_a, a.radius()), (at_b, b.radius())).ok_or(None)?
         } else {
             let (pose_a, pose_b) = (self.a.pose_at(fraction), self.b.pose_at(fraction));
-            overlap(self.a.shape, &pose_a, self.b.shape, &pose_b)?
+            overlap_or_gap(self.a.shape, &pose_a, self.b.shape, &pose_b)?
         };
-        Some(PairContact {
+        Ok(PairContact {
             fraction,
             point: found.point,
             normal: found.direction,

@@ -66,7 +66,7 @@ impl Frame<'_> {
             }
         }
         let rest = left.get(..kept).unwrap_or_default();
-        read(rest, |body| polytope(body).map_or(0.0, faces_and_edges));
+        read(rest, |body| polytope(body).map_or(0.0, the_rest));
         kept
     }
 
@@ -137,13 +137,28 @@ fn head(polytope: &Polytope) -> f64 {
     polytope.max_dist() + ends as f64
 }
 
-/// Reads a number from each line of cache that the vertices fill: every other one of them begins another.
+/// Reads what is looked at of polytopes that are told apart: a number from each line of cache.
 fn vertices(polytope: &Polytope) -> f64 {
+    match polytope.sketch() {
+        Some(sketch) => f64::from(sketch.read_vertices()),
+        None => corners(polytope),
+    }
+}
+
+/// Reads what is looked at of the others besides.
+fn the_rest(polytope: &Polytope) -> f64 {
+    match polytope.sketch() {
+        Some(sketch) => f64::from(sketch.read()) + corners(polytope),
+        None => faces_and_edges(polytope),
+    }
+}
+
+/// Every other vertex begins another line.
+fn corners(polytope: &Polytope) -> f64 {
     let lines = polytope.vertices().chunks(2).take(LINES);
     lines.fold(0.0, |sum, line| sum + line[0].x)
 }
 
-/// The same of faces and edges.
 fn faces_and_edges(polytope: &Polytope) -> f64 {
     let normals = polytope.face_normals().chunks(2).take(LINES);
     let offsets = polytope.face_offsets().chunks(8).take(LINES);

@@ -34,6 +34,9 @@ pub struct Portion<'a, T> {
 /// So many pairs are read ahead: few enough that their bodies stay in the nearest caches.
 const AHEAD: usize = 64;
 
+/// What so few leaves hold stays in the cache from frame to frame, and is not read ahead.
+const NEAR: usize = 4096;
+
 /// The body of a leaf; none if it has gone since its pair was found.
 #[inline]
 fn body<T>(tree: &Tree<T>, number: u32, leaf: u32) -> Option<Leaf<'_, T>> {
@@ -124,6 +127,9 @@ impl<'a, T: Copy> Portion<'a, T> {
     /// 100 000 balls that makes the early-outs twice as fast.
     #[inline]
     fn read<'p>(&self, pairs: impl Iterator<Item = &'p Listed>, touch: impl Fn(&T) -> f64) {
+        if self.trees.iter().all(|tree| tree.leaves.len() < NEAR) {
+            return;
+        }
         let side = |side: usize, leaf: u32| {
             let data = self.trees[side].data.get(leaf as usize);
             data.map_or(0.0, &touch)

@@ -9,6 +9,7 @@ mod lanes;
 mod mesh_check;
 mod orient;
 mod simplex;
+pub(crate) mod sketch;
 mod summits;
 mod support;
 mod topology;
@@ -24,6 +25,7 @@ use faces::Faces;
 use glam::DVec3;
 use hull::convex_hull;
 pub(crate) use lanes::{Lanes, WIDTH as LANES};
+use sketch::Sketch;
 pub(crate) use summits::Summits;
 use support::Support;
 use topology::{Lists, vertex_neighbours};
@@ -95,6 +97,8 @@ pub struct Polytope {
     // looked at for a while each line of cache costs as much as a search.
     centre: DVec3,
     max_dist: f64,
+    /// Empty if it is not small.
+    sketch: Sketch,
     /// The vertices in single precision, if there are few.
     lanes: Vec<Lanes>,
     /// By directions, if they are many.
@@ -245,10 +249,12 @@ impl Polytope {
             rims: faces.rims,
             support,
             face_map: FaceMap::default(),
+            sketch: Sketch::default(),
             centre,
             max_dist,
         };
         polytope.face_map = FaceMap::of(&polytope);
+        polytope.sketch = Sketch::of(&polytope);
         polytope
     }
 
@@ -275,6 +281,12 @@ impl Polytope {
     #[inline]
     pub(crate) fn summits(&self) -> &Summits {
         &self.summits
+    }
+
+    /// The polytope roughly, in one piece; none if it is not small.
+    #[inline]
+    pub(crate) fn sketch(&self) -> Option<&Sketch> {
+        (!self.sketch.is_empty()).then_some(&self.sketch)
     }
 
     /// The vertices in single precision, four by four; none if they are many.

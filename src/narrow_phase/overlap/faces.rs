@@ -130,7 +130,7 @@ fn arcs(hull: &Hull, sign: f64) -> Arcs {
     let rims = hull.rim_normals();
     let mut arcs = Arcs::new();
     for (index, edge) in hull.edges().iter().enumerate() {
-        let Some(along) = unit(hull.edge_vector(edge)) else {
+        let Some(along) = unit(hull.edge_vector(edge.vertices)) else {
             continue;
         };
         let point = hull.point(edge.vertices[0]);
@@ -163,8 +163,9 @@ pub(super) fn sharpened(pair: &Pair, near: Width) -> Option<Width> {
         least.show(normal);
     });
     if edges_a.len() <= MAX_EDGES && edges_b.len() <= MAX_EDGES {
-        let along =
-            |hull: &Hull, edge: u32| unit(hull.edge_vector(hull.edges().get(edge as usize)?));
+        let along = |hull: &Hull, edge: u32| {
+            unit(hull.edge_vector(hull.edges().get(edge as usize)?.vertices))
+        };
         for a in edges_a.iter().filter_map(|&edge| along(&pair.a, edge)) {
             for b in edges_b.iter().filter_map(|&edge| along(&pair.b, edge)) {
                 let cross = a.cross(b);

@@ -10,21 +10,18 @@ use super::faces::Arc;
 use super::hull::Hull;
 use super::pair::Pair;
 use super::{Width, unit};
-use glam::{DMat3, DVec3, Mat4, Vec4};
+use crate::geometry::sketch::{self, Bits, Joint, Planes, Row, Sketch, single};
+use glam::{DMat3, DVec3, Vec3, Vec4};
 
-/// Hulls with more edges, faces or vertices are not small: of 18 points and more, or 32 where
-/// three edges meet at each.
-const EDGES: usize = 48;
-const FACES: usize = 32;
-const VERTICES: usize = ROWS * LANES;
+/// What hulls of up to 12 vertices need of rows of four vertices, and of fours of faces; what all small
+/// ones need. Less room to fill.
+const FEW_ROWS: usize = 3;
+const FEW_FOURS: usize = 5;
+const ROWS: usize = Sketch::VERTICES / 4;
+const FOURS: usize = Sketch::FACES / 4;
 
-/// Vertices looked at together: a register of SSE2.
-const LANES: usize = 4;
-const ROWS: usize = 8;
-
-/// What hulls of up to 12 vertices need of rows, and what faces these can have: less room to fill.
-const SMALL_ROWS: usize = 3;
-const SMALL_FACES: usize = 20;
+/// Room for the numbers of all edges: a power of two, so that no place need be checked.
+const ROOM: usize = Sketch::EDGES.next_power_of_two();
 
 /// What rounding to single precision may do to a width, as a share of the radii and the offset
 /// together.
@@ -37,109 +34,140 @@ const SINGLE: f64 = 128.0 * (0.5 * f32::EPSILON) as f64;
 /// Whether both hulls are solid and small.
 pub(super) fn are_few(pair: &Pair) -> bool {
     let is_small = |hull: &Hull| {
-        hull.rim_normals().is_none()
-            && hull.edges().len() <= EDGES
-            && hull.face_count() as usize <= FACES
-            && hull.vertex_count() <= VERTICES
+        hull.sketch().is_some()
+            || hull.rim_normals().is_none()
+                && hull.edges().len() <= Sketch::EDGES
+                && hull.face_count() as usize <= Sketch::FACES
+                && hull.vertex_count() <= Sketch::VERTICES
     };
     is_small(&pair.a) && is_small(&pair.b)
 }
 
-/// Coordinates of four vertices: all x, all y, all z.
-type Row = [Vec4; 3];
-
-/// One hull's part in the Minkowski difference, roughly: B as seen from its centre, or A turned round.
-struct Side<const ROWS: usize, const FACES: usize> {
-    /// Vertices; the last fill up with the first.
-    vertices: [Row; ROWS],
-    /// Normals of the faces, and how far each face lies from the centre, less how far the offset of the
-    /// two centres leads along its normal: what the pair is wide there beside the other hull's part.
-    planes: [Vec4; FACES],
-    faces: usize,
-}
-
-/// In single precision.
+/// A hull's vertices roughly, turned by `turn`.
 #[inline]
-fn single(vector: DVec3) -> Vec4 {
-    Vec4::new(vector.x as f32, vector.y as f32, vector.z as f32, 0.0)
+fn vertices<const ROWS: usize>(hull: &Hull, turn: impl Fn(Row) -> Row) -> [Row; ROWS] {
+    let mut vertices = [[Vec4::ZERO; 3]; ROWS];
+    if let Some(sketch) = hull.sketch() {
+        for (place, row) in vertices.iter_mut().zip(sketch.rows()) {
+            *place = turn(row);
+        }
+    } else {
+        for (place, number) in vertices.iter_mut().zip(0..) {
+            *place = turn(hull.row(number));
+        }
+    }
+    // What is left over changes nothing.
+    let (used, first) = (hull.vertex_count().div_ceil(4), vertices[0]);
+    vertices.iter_mut().skip(used).for_each(|row| *row = first);
+    vertices
 }
 
-impl<const ROWS: usize, const FACES: usize> Side<ROWS, FACES> {
-    /// As seen along the axes of its own, turned by `turn`; `offset` in the frame it is turned to.
-    #[inline]
-    fn new(hull: &Hull, turn: impl Fn(Vec4) -> Vec4, offset: Vec4) -> Self {
-        let mut side = Self {
-            vertices: [[Vec4::ZERO; 3]; ROWS],
-            planes: [Vec4::ZERO; FACES],
-            faces: (hull.face_count() as usize).min(FACES),
-        };
-        let vertex = |index: usize| {
-            hull.local_from_centre(index)
-                .map(|local| turn(single(local)))
-        };
-        let first = vertex(0).unwrap_or(Vec4::ZERO);
-        for (number, row) in side.vertices.iter_mut().enumerate() {
-            let [a, b, c, d] =
-                std::array::from_fn(|lane| vertex(LANES * number + lane).unwrap_or(first));
-            let all = Mat4::from_cols(a, b, c, d).transpose();
-            *row = [all.x_axis, all.y_axis, all.z_axis];
-        }
-        hull.for_each_plane(side.planes.iter_mut(), |normal, height, place| {
-            let normal = turn(single(normal));
-            *place = normal.with_w(height as f32 - normal.dot(offset));
+/// How far vertices reach along a direction.
+#[inline]
+fn reach<const ROWS: usize>(vertices: &[Row; ROWS], direction: Vec4) -> f32 {
+    let [x, y, z, _] = direction.to_array().map(Vec4::splat);
+    let tops = vertices
+        .iter()
+        .fold(Vec4::NEG_INFINITY, |tops, &[xs, ys, zs]| {
+            tops.max(x * xs + y * ys + z * zs)
         });
-        side
-    }
-
-    /// What the pair is at least wide along a normal of the other side, by each of the vertices
-    /// here; the largest of these numbers, too.
-    #[inline]
-    fn widths(&self, plane: Vec4, widths: &mut [Vec4; ROWS]) -> f32 {
-        let [x, y, z, beyond] = plane.to_array().map(Vec4::splat);
-        let mut tops = Vec4::NEG_INFINITY;
-        for (widths, &[xs, ys, zs]) in widths.iter_mut().zip(&self.vertices) {
-            *widths = beyond + (x * xs + y * ys + z * zs);
-            tops = tops.max(*widths);
-        }
-        tops.max_element()
-    }
+    tops.max_element()
 }
 
 /// What the pair is at least wide along the normals of one side's faces.
-struct Bounds<const ROWS: usize, const FACES: usize> {
+struct Bounds<const ROWS: usize, const FOURS: usize> {
     /// By each of the other side's vertices.
-    widths: [[Vec4; ROWS]; FACES],
+    widths: [[[Vec4; ROWS]; 4]; FOURS],
     /// By all of them.
-    tops: [f32; FACES],
+    tops: [Vec4; FOURS],
+    /// The normals, four by four.
+    normals: [Row; FOURS],
+    /// So many fours of faces are in use.
+    fours: usize,
 }
 
-impl<const ROWS: usize, const FACES: usize> Bounds<ROWS, FACES> {
-    fn none() -> Self {
-        Self {
-            widths: [[Vec4::ZERO; ROWS]; FACES],
-            tops: [f32::INFINITY; FACES],
-        }
-    }
-
+impl<const ROWS: usize, const FOURS: usize> Bounds<ROWS, FOURS> {
+    /// Along the normals of a hull's faces, turned by `turn`, with the other side's vertices, and with the
+    /// offset of the two centres in the frame that all of it is in.
     #[inline]
-    fn fill(&mut self, side: &Side<ROWS, FACES>, other: &Side<ROWS, FACES>) {
-        let places = self.widths.iter_mut().zip(&mut self.tops);
-        for ((widths, top), &plane) in places.zip(&side.planes).take(side.faces) {
-            *top = other.widths(plane, widths);
+    fn new(hull: &Hull, turn: impl Fn(Row) -> Row, offset: Vec4, others: &[Row; ROWS]) -> Self {
+        let mut bounds = Self {
+            widths: [[[Vec4::ZERO; ROWS]; 4]; FOURS],
+            tops: [Vec4::INFINITY; FOURS],
+            normals: [[Vec4::ZERO; 3]; FOURS],
+            fours: (hull.face_count() as usize).div_ceil(4).min(FOURS),
+        };
+        let [to_x, to_y, to_z, _] = offset.to_array().map(Vec4::splat);
+        let mut fill = |number: usize, [x, y, z, height]: Planes| {
+            let [x, y, z] = turn([x, y, z]);
+            // How far the faces lie from the centre, less how far the offset leads along their normals:
+            // what the pair is wide there beside the other hull's part.
+            let beyond = height - (x * to_x + y * to_y + z * to_z);
+            let normals = [x, y, z, beyond].map(|all| all.to_array());
+            let (Some(widths), Some(place), Some(turned)) = (
+                bounds.widths.get_mut(number),
+                bounds.tops.get_mut(number),
+                bounds.normals.get_mut(number),
+            ) else {
+                return;
+            };
+            *turned = [x, y, z];
+            let mut tops = [Vec4::NEG_INFINITY; 4];
+            for (lane, (widths, tops)) in widths.iter_mut().zip(&mut tops).enumerate() {
+                let [x, y, z, beyond] = normals.map(|all| Vec4::splat(all[lane]));
+                for (width, &[xs, ys, zs]) in widths.iter_mut().zip(others) {
+                    *width = beyond + (x * xs + y * ys + z * zs);
+                    *tops = tops.max(*width);
+                }
+            }
+            let [a, b, c, d] = sketch::transposed(tops);
+            *place = a.max(b).max(c.max(d));
+        };
+        if let Some(sketch) = hull.sketch() {
+            (0..)
+                .zip(sketch.planes())
+                .for_each(|(number, planes)| fill(number, planes));
+        } else {
+            for number in 0..bounds.fours {
+                let plane = |lane| hull.plane(4 * number + lane);
+                fill(number, sketch::planes(std::array::from_fn(plane)));
+            }
         }
+        bounds
     }
 
     /// The face along whose normal the pair may be least wide.
     #[inline]
     fn least(&self) -> (u32, f32) {
-        let lower = |best: (u32, f32), face: (u32, &f32)| {
-            if *face.1 < best.1 {
-                (face.0, *face.1)
-            } else {
-                best
+        let least = self.tops.iter().fold(Vec4::INFINITY, |a, &b| a.min(b));
+        let least = least.min_element();
+        let face = self.up_to(least).next();
+        (face.unwrap_or(0), least)
+    }
+
+    /// The faces along whose normals the pair may be no wider than `limit`.
+    #[inline]
+    fn up_to(&self, limit: f32) -> impl Iterator<Item = u32> {
+        let limit = Vec4::splat(limit);
+        let mut bits = 0;
+        for (number, tops) in self.tops.iter().enumerate() {
+            bits |= tops.cmple(limit).bitmask() << (4 * number);
+        }
+        sketch::numbers(bits)
+    }
+
+    /// For each face the vertices beside which the pair is wider than `limit` along the face's normal.
+    #[inline]
+    fn beyond(&self, limit: f32) -> [Bits; Sketch::FACES] {
+        let limit = Vec4::splat(limit);
+        let mut beyond = [0; Sketch::FACES];
+        let faces = self.widths.iter().take(self.fours).flatten();
+        for (bits, widths) in beyond.iter_mut().zip(faces) {
+            for (row, width) in widths.iter().enumerate() {
+                *bits |= width.cmpgt(limit).bitmask() << (4 * row);
             }
-        };
-        (0..).zip(&self.tops).fold((0, f32::INFINITY), lower)
+        }
+        beyond
     }
 
     /// The edges along whose arcs the pair may be no wider than `limit` somewhere.
@@ -149,35 +177,71 @@ impl<const ROWS: usize, const FACES: usize> Bounds<ROWS, FACES> {
     /// vectors p and q lies αp + βq with α and β of one sign and α + β at least 1: if that point
     /// lies farther than `limit` along both, it does so along all of the arc.
     #[inline]
-    fn edges<'r>(&self, hull: &Hull, limit: f32, room: &'r mut [u8; EDGES]) -> &'r [u8] {
-        let mut count = 0;
-        for (number, edge) in (0..EDGES as u8).zip(hull.edges()) {
-            let [left, right] = edge.faces.map(|face| self.widths.get(face as usize));
-            let (Some(left), Some(right)) = (left, right) else {
-                continue;
-            };
-            let tops = (left.iter().zip(right))
-                .fold(Vec4::NEG_INFINITY, |tops, (&left, &right)| {
-                    tops.max(left.min(right))
-                });
+    fn edges<'r>(&self, hull: &Hull, limit: f32, room: &'r mut [u8; ROOM]) -> &'r [u8] {
+        let beyond = self.beyond(limit);
+        let (mut count, mut number) = (0, 0);
+        hull.for_each_joint(|Joint { faces, .. }| {
+            let [left, right] = faces.map(|face| beyond[usize::from(face) % Sketch::FACES]);
             // Written in any case, and overwritten if it is too wide: no branch.
-            if let Some(place) = room.get_mut(count) {
-                *place = number;
-            }
-            count += usize::from(tops.max_element() <= limit);
-        }
+            room[count % ROOM] = number;
+            count += usize::from(left & right == 0);
+            number += 1;
+        });
         room.get(..count).unwrap_or_default()
+    }
+
+    /// An edge's arc roughly, of a hull with these vertices.
+    #[inline]
+    fn rough_arc(&self, joint: Joint, vertices: &[Row; ROWS]) -> RoughArc {
+        let of = |rows: &[Row], number: u8| match rows.get(usize::from(number) / 4) {
+            Some(row) => Vec3::from_array(row.map(|all| all[usize::from(number) % 4])),
+            None => Vec3::ZERO,
+        };
+        let [from, to] = joint.vertices.map(|vertex| of(vertices, vertex));
+        RoughArc {
+            edge: to - from,
+            ends: joint.faces.map(|face| of(&self.normals, face)),
+        }
+    }
+}
+
+/// An edge and the arc of directions along which it is the support, in single precision.
+#[derive(Clone, Copy)]
+struct RoughArc {
+    /// From one end of the edge to the other.
+    edge: Vec3,
+    ends: [Vec3; 2],
+}
+
+impl RoughArc {
+    /// What rounding may do to a height in [`may_cross`](Self::may_cross), and as much again, as a share of
+    /// the radius: what is above it is far above what [`Arc::crossing`] lets pass.
+    const MARGIN: f32 = 1e-5;
+
+    /// Whether the arcs may cross: the ends of each on opposite sides of the other's plane. `radii` are
+    /// those of the edges' hulls.
+    #[inline]
+    fn may_cross(&self, other: &Self, radii: [f32; 2]) -> bool {
+        let is_between = |arc: &Self, across: &Self, radius: f32| {
+            let [one, next] = across.ends.map(|end| end.dot(arc.edge));
+            let margin = Self::MARGIN * radius;
+            !(one.min(next) > margin || one.max(next) < -margin)
+        };
+        is_between(self, other, radii[0]) && is_between(other, self, radii[1])
     }
 }
 
 /// The arc of an edge; `sign` −1 for a hull turned round.
 #[inline]
 fn arc(hull: &Hull, edge: u8, sign: f64) -> Option<Arc> {
-    let edge = hull.edges().get(usize::from(edge))?;
+    let joint = hull.joint(edge)?;
+    let vertices = joint.vertices.map(u32::from);
     Some(Arc {
-        point: hull.point(edge.vertices[0]),
-        along: unit(hull.edge_vector(edge))?,
-        ends: edge.faces.map(|face| sign * hull.face_normal(face)),
+        point: hull.point(vertices[0]),
+        along: unit(hull.edge_vector(vertices))?,
+        ends: joint
+            .faces
+            .map(|face| sign * hull.face_normal(u32::from(face))),
     })
 }
 
@@ -220,121 +284,122 @@ impl Least {
 /// What the pair is wide along the normals of faces bounds it along the arcs between them: those
 /// that are wider than what has been found, all along, need not be crossed with others.
 pub(super) fn least(pair: &Pair) -> Option<Width> {
-    // Before anything is made ready: most pairs that are apart are so along this line.
-    let between = unit(pair.offset).map(|direction| pair.width(direction));
-    let first = between.map_or(f64::INFINITY, |between| between.width);
-    if first <= pair.touch {
-        // Any direction will do.
-        return between;
-    }
-    let most = pair.a.vertex_count().max(pair.b.vertex_count());
-    if most <= SMALL_ROWS * LANES {
-        search::<SMALL_ROWS, SMALL_FACES>(pair, first)
+    let (a, b) = (&pair.a, &pair.b);
+    let vertices = a.vertex_count().max(b.vertex_count());
+    let faces = a.face_count().max(b.face_count()) as usize;
+    if vertices <= 4 * FEW_ROWS && faces <= 4 * FEW_FOURS {
+        search::<FEW_ROWS, FEW_FOURS>(pair)
     } else {
-        search::<ROWS, FACES>(pair, first)
+        search::<ROWS, FOURS>(pair)
     }
 }
 
-/// [`least`], of which it is known that it is no more than `first`.
-fn search<const ROWS: usize, const FACES: usize>(pair: &Pair, first: f64) -> Option<Width> {
-    let rounding = pair.rounding();
+/// [`least`], of hulls for which there is room.
+fn search<const ROWS: usize, const FOURS: usize>(pair: &Pair) -> Option<Width> {
     let mut least = Least {
-        rounding,
+        rounding: pair.rounding(),
         best: None,
-        most: first + 4.0 * rounding,
+        most: f64::INFINITY,
         margin: SINGLE * (pair.size + pair.offset.length())
             + pair.a.plane_error()
             + pair.b.plane_error(),
     };
     let to_b = pair.b.rotation().transpose();
-    let offset = single(to_b * pair.offset);
     let turn = turned_round(to_b * pair.a.rotation());
-    let a = Side::<ROWS, FACES>::new(&pair.a, turn, offset);
-    let b = Side::<ROWS, FACES>::new(&pair.b, |vector| vector, offset);
-    let (mut beside_a, mut beside_b) = (Bounds::none(), Bounds::none());
-    beside_a.fill(&a, &b);
-    beside_b.fill(&b, &a);
+    let vertices_a: [Row; ROWS] = vertices(&pair.a, &turn);
+    let vertices_b: [Row; ROWS] = vertices(&pair.b, |row| row);
+    let offset = to_b * pair.offset;
+    if let Some(between) = unit(offset) {
+        // Most pairs that are apart are so along this line.
+        let [along, ahead] = [between, offset].map(single);
+        let rough =
+            f64::from(reach(&vertices_a, along) + reach(&vertices_b, along) - ahead.dot(along));
+        if rough <= pair.touch + least.margin {
+            let between = pair.width(pair.b.rotation() * between);
+            if between.width <= pair.touch {
+                // Any direction will do.
+                return Some(between);
+            }
+        }
+        least.limit(rough + least.margin);
+    }
+    let offset = single(offset);
+    let beside_a = Bounds::<ROWS, FOURS>::new(&pair.a, &turn, offset, &vertices_b);
+    let beside_b = Bounds::<ROWS, FOURS>::new(&pair.b, |row| row, offset, &vertices_a);
     let normal_a = |face: u32| -pair.a.face_normal(face);
     let normal_b = |face: u32| pair.b.face_normal(face);
     // The best face first: few others are left then.
     let (best_a, best_b) = (beside_a.least(), beside_b.least());
-    let normal = if best_a.1 <= best_b.1 {
-        normal_a(best_a.0)
+    let (is_of_a, face, normal) = if best_a.1 <= best_b.1 {
+        (true, best_a.0, normal_a(best_a.0))
     } else {
-        normal_b(best_b.0)
+        (false, best_b.0, normal_b(best_b.0))
     };
+    let best = (is_of_a, face);
     // A normal that could not be made is zero.
+    let mut shown_best = None;
     if normal != DVec3::ZERO {
         let shown = pair.width(normal);
         if shown.width <= pair.touch {
             return Some(shown);
         }
         least.limit(shown.width);
+        shown_best = Some(shown);
     }
-    let faces_a = (0..).zip(&beside_a.tops).take(a.faces);
-    let faces_b = (0..).zip(&beside_b.tops).take(b.faces);
-    let normals = faces_a
-        .map(|(face, &top)| (face, top, true))
-        .chain(faces_b.map(|(face, &top)| (face, top, false)));
-    for (face, top, is_of_a) in normals {
-        if top > least.rough() {
-            continue;
-        }
-        let normal = if is_of_a {
-            normal_a(face)
+    let limit = least.rough();
+    let normals = (beside_a.up_to(limit).map(|face| (true, face)))
+        .chain(beside_b.up_to(limit).map(|face| (false, face)));
+    for (is_of_a, face) in normals {
+        let shown = if (is_of_a, face) == best {
+            shown_best
         } else {
-            normal_b(face)
+            let normal = if is_of_a {
+                normal_a(face)
+            } else {
+                normal_b(face)
+            };
+            (normal != DVec3::ZERO).then(|| pair.width(normal))
         };
-        if normal != DVec3::ZERO {
-            let shown = pair.width(normal);
+        if let Some(shown) = shown {
             if shown.width <= pair.touch {
                 return Some(shown);
             }
             least.show(shown);
         }
     }
-    let mut rooms = [[0; EDGES]; 2];
+    let mut rooms = [[0; ROOM]; 2];
     let [room_a, room_b] = &mut rooms;
     let edges_a = beside_a.edges(&pair.a, least.rough(), room_a);
     let edges_b = beside_b.edges(&pair.b, least.rough(), room_b);
-    if edges_b.len() <= FEW_ARCS {
-        cross::<FEW_ARCS>(pair, (edges_a, edges_b), &mut least);
-    } else {
-        cross::<EDGES>(pair, (edges_a, edges_b), &mut least);
-    }
-    least.best
-}
-
-/// Most pairs leave fewer edges of a hull; to make room for more than there are takes as long as to
-/// fill it.
-const FEW_ARCS: usize = 8;
-
-/// Shows all directions in which arcs of two hulls' edges cross; B has up to `N`.
-fn cross<const N: usize>(pair: &Pair, (edges_a, edges_b): (&[u8], &[u8]), least: &mut Least) {
-    if edges_a.is_empty() {
-        return;
-    }
-    let mut arcs = [Arc::default(); N];
-    let mut count = 0;
-    for (place, made) in
-        (arcs.iter_mut()).zip(edges_b.iter().filter_map(|&edge| arc(&pair.b, edge, 1.0)))
-    {
-        *place = made;
-        count += 1;
-    }
-    for a in edges_a.iter().filter_map(|&edge| arc(&pair.a, edge, -1.0)) {
-        for b in arcs.iter().take(count) {
-            if let Some(direction) = a.crossing(b)
+    let radii = [&pair.a, &pair.b].map(|hull| hull.radius as f32);
+    for &edge_a in edges_a {
+        let Some(joint) = pair.a.joint(edge_a) else {
+            continue;
+        };
+        let rough = beside_a.rough_arc(joint, &vertices_a);
+        let mut a = None;
+        for &edge_b in edges_b {
+            let Some(joint) = pair.b.joint(edge_b) else {
+                continue;
+            };
+            if !rough.may_cross(&beside_b.rough_arc(joint, &vertices_b), radii) {
+                continue;
+            }
+            a = a.or_else(|| arc(&pair.a, edge_a, -1.0));
+            if let (Some(a), Some(b)) = (&a, arc(&pair.b, edge_b, 1.0))
+                && let Some(direction) = a.crossing(&b)
                 && least.beats((b.point - a.point).dot(direction))
             {
                 least.show(pair.width(direction));
             }
         }
     }
+    least.best
 }
 
-/// How A's vectors lie in B's frame, turned round.
-fn turned_round(turn: DMat3) -> impl Fn(Vec4) -> Vec4 {
-    let [x, y, z] = [turn.x_axis, turn.y_axis, turn.z_axis].map(|column| single(-column));
-    move |vector| vector.x * x + vector.y * y + vector.z * z
+/// How A's vectors lie in B's frame, turned round, four at a time.
+fn turned_round(turn: DMat3) -> impl Fn(Row) -> Row {
+    let columns = [turn.x_axis, turn.y_axis, turn.z_axis];
+    let [u, v, w] = columns.map(|column| single(-column).to_array().map(Vec4::splat));
+    move |[x, y, z]| std::array::from_fn(|axis| u[axis] * x + v[axis] * y + w[axis] * z)
 }

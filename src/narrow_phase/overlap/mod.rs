@@ -20,7 +20,7 @@ mod separate;
 mod sphere;
 pub(in crate::narrow_phase) mod witness;
 
-use crate::geometry::{Feature, Pose, Shape};
+use crate::geometry::{Cuboid, Feature, Pose, Shape};
 use crate::tolerance::touch_tolerance;
 pub(crate) use apart::keep_apart;
 use glam::DVec3;
@@ -55,6 +55,30 @@ impl Overlap {
             feature_b: self.feature_a,
             ..self
         }
+    }
+}
+
+/// A direction along which two shapes do not overlap, or touch only.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Gap {
+    /// Unit vector out of B, towards A.
+    direction: DVec3,
+    /// How far A would have to move along it to be in touch with B, in metres; as a rule negative.
+    width: f64,
+}
+
+impl Gap {
+    /// The same gap told with the shapes' roles exchanged.
+    fn swapped(self) -> Self {
+        Self {
+            direction: -self.direction,
+            ..self
+        }
+    }
+
+    /// Whether it stays wider than `slack` all the way that A moves by `motion` relative to B.
+    pub(crate) fn stays(&self, motion: DVec3, slack: f64) -> bool {
+        self.width < -slack && self.width - motion.dot(self.direction) < -slack
     }
 }
 
@@ -103,37 +127,67 @@ impl Overlap {
 /// ```
 #[must_use]
 pub fn overlap(a: &Shape, pose_a: &Pose, b: &Shape, pose_b: &Pose) -> Option<Overlap> {
+    overlap_or_gap(a, pose_a, b, pose_b).ok()
+}
+
+/// [`overlap`], or how the two are apart, if it is known.
+pub(crate) fn overlap_or_gap(
+    a: &Shape,
+    pose_a: &Pose,
+    b: &Shape,
+    pose_b: &Pose,
+) -> Result<Overlap, Option<Gap>> {
     debug_assert!(
         pose_a.position.is_finite() && pose_b.position.is_finite(),
         "a pose is not finite"
     );
     match order::compare(a, pose_a, b, pose_b) {
-        Ordering::Greater => in_order(b, pose_b, a, pose_a).map(Overlap::swapped),
+        Ordering::Greater => match in_order(b, pose_b, a, pose_a) {
+            Ok(overlap) => Ok(overlap.swapped()),
+            Err(gap) => Err(gap.map(Gap::swapped)),
+        },
         Ordering::Less | Ordering::Equal => in_order(a, pose_a, b, pose_b),
     }
 }
 
-/// [`overlap`] for shapes in the order of [`order::compare`]: a sphere comes first.
-fn in_order(a: &Shape, pose_a: &Pose, b: &Shape, pose_b: &Pose) -> Option<Overlap> {
+/// [`overlap_or_gap`] for shapes in the order of [`order::compare`]: a sphere comes first.
+fn in_order(a: &Shape, pose_a: &Pose, b: &Shape, pose_b: &Pose) -> Result<Overlap, Option<Gap>> {
     let touch = touch(a, pose_a, b, pose_b);
-    match (a, b) {
+    let found = match (a, b) {
         (Shape::Sphere(a), Shape::Sphere(b)) => sphere::of_spheres(a, pose_a, b, pose_b, touch),
         (Shape::Sphere(a), Shape::Cuboid(b)) => sphere::of_cuboid(a, pose_a, b, pose_b, touch),
         (Shape::Sphere(a), Shape::Triangle(b)) => sphere::of_triangle(a, pose_a, b, pose_b, touch),
         (Shape::Sphere(a), Shape::Polytope(b)) => sphere::of_polytope(a, pose_a, b, pose_b, touch),
         (Shape::Cuboid(half_a), Shape::Cuboid(half_b)) => {
-            let offset = pose_a.position - pose_b.position;
-            let least = boxes::least(half_a, pose_a, half_b, pose_b, offset, touch)?;
-            Pair::new(a, pose_a, b, pose_b, touch)?.witness(least)
+            of_boxes((a, pose_a), (b, pose_b), [half_a, half_b], touch)
         }
-        _ => {
-            let pair = Pair::new(a, pose_a, b, pose_b, touch)?;
-            if !few::are_few(&pair) && separate::apart(&pair) {
-                return None;
-            }
-            pair.witness(pair.least()?)
+        _ => return of_hulls(&Pair::new(a, pose_a, b, pose_b, touch).ok_or(None)?),
+    };
+    found.ok_or(None)
+}
+
+fn of_boxes(
+    (a, pose_a): (&Shape, &Pose),
+    (b, pose_b): (&Shape, &Pose),
+    [half_a, half_b]: [&Cuboid; 2],
+    touch: f64,
+) -> Option<Overlap> {
+    let offset = pose_a.position - pose_b.position;
+    let least = boxes::least(half_a, pose_a, half_b, pose_b, offset, touch)?;
+    Pair::new(a, pose_a, b, pose_b, touch)?.witness(least)
+}
+
+fn of_hulls(pair: &Pair) -> Result<Overlap, Option<Gap>> {
+    let few = few::are_few(pair);
+    let least = match few.then(|| few::least(pair)).flatten() {
+        Some(Width { direction, width }) if width <= pair.touch => {
+            return Err(Some(Gap { direction, width }));
         }
-    }
+        Some(least) => Some(least),
+        None if !few && separate::apart(pair) => None,
+        None => pair.least(),
+    };
+    least.and_then(|least| pair.witness(least)).ok_or(None)
 }
 
 /// Where a shape that stands at `pose` lies nearest to a point of the world, or

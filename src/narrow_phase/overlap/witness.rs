@@ -70,31 +70,40 @@ fn feature(hull: &Hull, direction: DVec3) -> (Feature, Vertices) {
         let vertex = vertices.first().copied().unwrap_or(0);
         return (Feature::Vertex(vertex), vertices);
     }
-    // A bit for each of the first vertices; the others are looked for.
-    let bit = |vertex: u32| 1_u64.checked_shl(vertex).unwrap_or(0);
-    let first_ones = vertices.iter().fold(0, |bits, &vertex| bits | bit(vertex));
-    let is_inside = |vertex: u32| match bit(vertex) {
-        0 => vertices.binary_search(&vertex).is_ok(),
-        bit => first_ones & bit != 0,
-    };
-    let edges = (0..).zip(hull.edges()).filter_map(|(index, edge)| {
-        edge.vertices
-            .iter()
-            .all(|&vertex| is_inside(vertex))
-            .then_some((index, edge))
-    });
     let mut first = None;
     let mut best: Option<(f64, u32)> = None;
     let mut is_face = false;
-    for (index, edge) in edges {
+    let mut see = |index: u32, faces: [u32; 2]| {
         is_face = first.is_some();
         first = first.or(Some(index));
-        for face in edge.faces {
+        for face in faces {
             let along = hull.face_normal(face).dot(direction);
             // Of equals the one of the lower number.
             let order = |&(most, other): &(f64, u32)| along.total_cmp(&most).then(other.cmp(&face));
             if best.as_ref().is_none_or(|best| order(best).is_gt()) {
                 best = Some((along, face));
+            }
+        }
+    };
+    // A bit for each of the first vertices; the others are looked for.
+    let bit = |vertex: u32| 1_u64.checked_shl(vertex).unwrap_or(0);
+    let first_ones = vertices.iter().fold(0, |bits, &vertex| bits | bit(vertex));
+    if let Some(sketch) = hull.sketch() {
+        let is_inside = |vertex: u8| first_ones >> (vertex & 63) & 1 == 1;
+        for (index, edge) in (0..).zip(sketch.joints()) {
+            let [from, to] = edge.vertices;
+            if is_inside(from) & is_inside(to) {
+                see(index, edge.faces.map(u32::from));
+            }
+        }
+    } else {
+        let is_inside = |vertex: u32| match bit(vertex) {
+            0 => vertices.binary_search(&vertex).is_ok(),
+            bit => first_ones & bit != 0,
+        };
+        for (index, edge) in (0..).zip(hull.edges()) {
+            if edge.vertices.iter().all(|&vertex| is_inside(vertex)) {
+                see(index, edge.faces);
             }
         }
     }
