@@ -317,6 +317,15 @@ pub enum QueryError {
     /// A number is outside its domain.
     #[error(transparent)]
     Value(#[from] ValueError),
+    /// A shape on a curve comes or stays so near to a body, without a touch, that the search
+    /// ran out of budget.
+    #[error("proven apart from body {body} for {clear_until} m of the path; undecided from there")]
+    Undecided {
+        /// The body.
+        body: BodyId,
+        /// Up to this distance along the path, in metres, nothing is met.
+        clear_until: f64,
+    },
 }
 
 /// A scene cannot be read, or no world be made of it.

@@ -265,6 +265,11 @@ impl Motion {
         self.checked()
     }
 
+    /// Along `path` at one metre per second.
+    pub(crate) fn at_unit_speed(path: Path) -> Self {
+        Self::unturned(Kind::Along(Journey::new(path, 1.0)))
+    }
+
     /// As [`fixed`](Self::fixed), for doors that check later.
     pub(crate) fn fixed_unchecked(position: DVec3) -> Self {
         Self::unturned(Kind::Fixed { position })

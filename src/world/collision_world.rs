@@ -19,8 +19,9 @@ use glam::DVec3;
 /// Bodies that move, and when, where and how they meet.
 ///
 /// Bodies go in, the world is stepped frame by frame, and every step answers
-/// with the contacts of that frame: for every pair the first touch, or that it
-/// overlapped already. A body without response flies on through what it hit.
+/// with the contacts of that frame: for every pair of which at least one body is not
+/// [fixed](Motion::is_fixed) the first touch, or that it overlapped already. A body without
+/// response flies on through what it hit.
 ///
 /// Contacts come sorted by time, then by ids. The same calls give the same
 /// bits. Any call that returns an error leaves the world as it was.
@@ -286,6 +287,25 @@ impl CollisionWorld {
     /// If there is no such body (any more).
     pub fn shape(&self, id: BodyId) -> Result<&Shape, BodyError> {
         Ok(self.resident(id)?.body.shape())
+    }
+
+    /// A body as the motion began that it has: its shape, motion, groups, and how it was turned
+    /// then. Where it is now tells [`pose`](Self::pose).
+    ///
+    /// # Errors
+    /// If there is no such body (any more).
+    ///
+    /// ```
+    /// use feeler::{Body, CollisionWorld, Groups, Sphere};
+    ///
+    /// let mut world = CollisionWorld::default();
+    /// let door = Body::fixed(Sphere::new(1.0)?, [0.0, 0.0, 0.0]).in_groups(Groups::new(1, 2));
+    /// let id = world.insert(door)?;
+    /// assert_eq!(world.body(id)?.groups(), Groups::new(1, 2));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn body(&self, id: BodyId) -> Result<&Body, BodyError> {
+        Ok(&self.resident(id)?.body)
     }
 
     fn resident(&self, id: BodyId) -> Result<&Resident, BodyError> {

@@ -110,7 +110,37 @@ impl CollisionWorld {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn step_to_contact(&mut self, dt: f64) -> Result<Advance<'_>, StepError> {
-        self.detect(dt, None)?;
+        self.advance_to_contact(dt, None)
+    }
+
+    /// [`step_to_contact`](Self::step_to_contact), but only pairs count that `keep` answers true
+    /// for, as in [`step_where`](Self::step_where).
+    ///
+    /// # Errors
+    /// As [`step`](Self::step).
+    ///
+    /// ```
+    /// use feeler::{Body, CollisionWorld, Motion, Sphere};
+    ///
+    /// let mut world = CollisionWorld::default();
+    /// let ball = Motion::free([9.0, 0.0, 0.0], [-1.0, 0.0, 0.0])?;
+    /// world.insert(Body::moving(Sphere::new(1.0)?, ball))?;
+    /// let ghost = world.insert(Body::fixed(Sphere::new(1.0)?, [5.0, 0.0, 0.0]))?;
+    /// world.insert(Body::fixed(Sphere::new(1.0)?, [0.0, 0.0, 0.0]))?;
+    /// let advance = world.step_to_contact_where(9.0, |a, b| a != ghost && b != ghost)?;
+    /// assert_eq!(advance.elapsed, 7.0);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn step_to_contact_where(
+        &mut self,
+        dt: f64,
+        keep: impl Fn(BodyId, BodyId) -> bool + Sync,
+    ) -> Result<Advance<'_>, StepError> {
+        self.advance_to_contact(dt, Some(&keep))
+    }
+
+    fn advance_to_contact(&mut self, dt: f64, keep: Keep<'_>) -> Result<Advance<'_>, StepError> {
+        self.detect(dt, keep)?;
         let first = self.contacts.iter().find(|contact| contact.is_touch());
         let elapsed = first.map_or(dt, |first| first.fraction * dt);
         let until = first.map_or(1.0, |first| first.fraction);

@@ -5,6 +5,7 @@
     reason = "planted input that is refused shall fail the test"
 )]
 
+mod along;
 mod in_touch;
 mod near;
 #[path = "../crowds/worlds.rs"]
@@ -114,7 +115,7 @@ fn rays_find_what_brute_force_finds() {
     }
 }
 
-fn shape(random: &mut Random) -> (Shape, DQuat) {
+pub(crate) fn shape(random: &mut Random) -> (Shape, DQuat) {
     let size = 3.0 * 10_f64.powf(random.within(-2.0, 0.0));
     let turn = DQuat::from_axis_angle(random.vector().normalize(), random.within(0.0, 6.0));
     let shape = match random.below(2) {

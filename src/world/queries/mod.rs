@@ -1,6 +1,7 @@
 //! Questions to a world between its steps.
 
 mod cast;
+mod cast_along;
 mod near;
 mod ray;
 
@@ -11,7 +12,7 @@ use crate::math::domain;
 use crate::tolerance::MAX_COORDINATE;
 use crate::world::tracks::{Span, Track};
 use crate::world::{BodyId, CollisionWorld, Groups};
-use glam::DVec3;
+use glam::{DQuat, DVec3};
 use std::fmt;
 
 /// What a query finds of one body.
@@ -110,17 +111,17 @@ fn order(a: &BodyHit, b: &BodyHit) -> std::cmp::Ordering {
 
 /// `pose` if its position is in the domain and its orientation of unit length.
 fn checked_pose(pose: &Pose) -> Result<Pose, QueryError> {
+    let position = domain::vector("pose.position", pose.position, MAX_COORDINATE)?;
+    let orientation = checked_orientation("pose.orientation.length", pose.orientation)?;
+    Ok(Pose::new(position, orientation))
+}
+
+/// `orientation` at unit length, if it is near that. `field` names its length.
+fn checked_orientation(field: &'static str, orientation: DQuat) -> Result<DQuat, QueryError> {
     /// As for bodies that are inserted.
     const DRIFT: f64 = 1e-3;
-    let position = domain::vector("pose.position", pose.position, MAX_COORDINATE)?;
-    let length = domain::within(
-        "pose.orientation.length",
-        pose.orientation.length(),
-        1.0 - DRIFT,
-        1.0 + DRIFT,
-    )?;
+    let length = domain::within(field, orientation.length(), 1.0 - DRIFT, 1.0 + DRIFT)?;
     // What is of unit length to rounding is taken as it is.
     let is_unit = (length - 1.0).abs() <= 4.0 * f64::EPSILON;
-    let factor = if is_unit { 1.0 } else { 1.0 / length };
-    Ok(Pose::new(position, pose.orientation * factor))
+    Ok(orientation * if is_unit { 1.0 } else { 1.0 / length })
 }
