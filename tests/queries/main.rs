@@ -12,6 +12,7 @@ mod near;
 mod worlds;
 
 use feeler::narrow_phase::exact::crossing;
+use feeler::tolerance::TOUCH;
 use feeler::{
     BodyId, CollisionWorld, Cuboid, Groups, Pose, QueryError, QueryFilter, Ray, RayCast, Shape,
     Sphere, ValueError, overlap,
@@ -148,16 +149,21 @@ fn casts_and_overlaps_find_what_brute_force_finds() {
                 for (id, other, other_pose) in all(&world) {
                     let depth = overlap(&shape, &pose, other, &other_pose);
                     expected.extend(depth.map(|found| (id, -found.depth)));
-                    let met = crossing(&shape, &pose, other, &other_pose, motion);
-                    let fraction = met
-                        .filter(|met| met.enter.fraction <= 1.0 && met.leave >= 0.0)
+                    let far = from.abs().max(other_pose.position.abs()).max_element();
+                    let touch = TOUCH * (shape.max_dist() + other.max_dist() + far);
+                    let length = motion.length();
+                    let fraction = crossing(&shape, &pose, other, &other_pose, motion)
+                        .filter(|met| (met.enter.fraction - 1.0) * length <= touch)
+                        .filter(|met| met.leave * length >= -touch)
                         .filter(|met| {
-                            // In touch as it starts, it must come nearer.
+                            // In touch as it starts, it must come nearer: who met long before and
+                            // does not overlap any more is about to part.
                             let enter = &met.enter;
-                            let nearer = motion.dot(enter.normal) < 0.0;
+                            let closing = -motion.dot(enter.normal);
+                            let nearer = closing > 0.0 && -enter.fraction * closing <= touch;
                             depth.is_some() || enter.fraction > 0.0 || nearer
                         })
-                        .map(|met| met.enter.fraction.max(0.0) * motion.length());
+                        .map(|met| met.enter.fraction.clamp(0.0, 1.0) * length);
                     if let Some(distance) = fraction
                         && first.is_none_or(|first| (distance, id) < first)
                     {
