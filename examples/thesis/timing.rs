@@ -21,6 +21,8 @@ pub(crate) struct FrameTimes {
 }
 
 /// Times all that the file's tables list, with aimed rays.
+///
+/// Flights of all of them take turns, so that a machine whose speed changes is as fast for each.
 pub(crate) fn time(file: &SceneFile) -> Result<Vec<FrameTimes>, RunError> {
     let mut all = Vec::new();
     for table in &file.thesis.timing {
@@ -32,35 +34,44 @@ pub(crate) fn time(file: &SceneFile) -> Result<Vec<FrameTimes>, RunError> {
                 Acceleration::Plain => BroadPhase::AllPairs,
                 Acceleration::Accelerated => BroadPhase::default(),
             };
-            let times = frame_times(&scene)?;
-            let ms =
-                |duration: Option<&Duration>| duration.map_or(0.0, Duration::as_secs_f64) * 1e3;
-            all.push(FrameTimes {
+            let least = vec![Duration::MAX; frames(&scene) as usize];
+            let times = FrameTimes {
                 scene: file.id.clone(),
                 bodies: scene.bodies.len(),
                 rays,
                 broad_phase: table.broad_phase,
-                median_ms: ms(times.get(times.len() / 2)),
-                worst_ms: ms(times.last()),
+                median_ms: 0.0,
+                worst_ms: 0.0,
                 thesis_ms: table.ms.get(index).copied(),
-            });
+            };
+            all.push((scene, least, times));
         }
     }
-    Ok(all)
+    for _ in 0..FLIGHTS {
+        for (scene, least, _) in &mut all {
+            fly(scene, least)?;
+        }
+    }
+    let ms = |duration: Option<&Duration>| duration.map_or(0.0, Duration::as_secs_f64) * 1e3;
+    let times = all.into_iter().map(|(_, mut least, times)| {
+        least.sort_unstable();
+        FrameTimes {
+            median_ms: ms(least.get(least.len() / 2)),
+            worst_ms: ms(least.last()),
+            ..times
+        }
+    });
+    Ok(times.collect())
 }
 
-/// Every frame's time over the whole flight, in ascending order.
+/// Flies once, and lowers each frame's time to what it took.
 ///
 /// Of several flights each frame's least: whatever else the machine does only adds to it.
-fn frame_times(scene: &Scene) -> Result<Vec<Duration>, RunError> {
-    let mut least = vec![Duration::MAX; frames(scene) as usize];
-    for _ in 0..FLIGHTS {
-        let (mut world, _) = scene.world()?;
-        for least in &mut least {
-            world.step(scene.time_step())?;
-            *least = world.stats().times.total().min(*least);
-        }
+fn fly(scene: &Scene, least: &mut [Duration]) -> Result<(), RunError> {
+    let (mut world, _) = scene.world()?;
+    for least in least {
+        world.step(scene.time_step())?;
+        *least = world.stats().times.total().min(*least);
     }
-    least.sort_unstable();
-    Ok(least)
+    Ok(())
 }
