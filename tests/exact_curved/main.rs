@@ -8,6 +8,7 @@
 )]
 
 mod named;
+mod out_of_reach;
 mod routes;
 mod seams;
 mod sliding;

@@ -1,6 +1,5 @@
 //! Two bodies under way that do not turn.
 
-use super::advance::Encounter;
 use super::bridge::Bridge;
 use super::gliding::{Glide, Search};
 use super::parting::{Parted, Parting};
@@ -67,9 +66,10 @@ impl<P: Parting> Search<'_, '_, P> {
             let parted = self.parting.part(between);
             let touch = self.touch.at(self.time);
             let far = parted.filter(|parted| parted.distance > touch);
-            if far.is_some() && self.time >= until {
-                let ends = until >= 1.0;
-                return ends.then_some(Glide::Found(Encounter::Apart));
+            if let Some(parted) = far
+                && self.time >= until
+            {
+                return self.go_beyond(until, parted);
             }
             let floor = 0.5 * touch;
             let above = far.filter(|parted| parted.gap > floor && !self.is_weary());

@@ -6,11 +6,12 @@ use super::gliding::{Glide, glide};
 use super::meeting::{Meeting, meet, strike};
 use super::nearness::{Nearness, passes_by};
 use super::parting::Parted;
+use super::passages::{FLIP, Passages, Rates};
 use super::planes::{Nearest, Place, Planes, TurningBall, TurningBoxes};
+use super::revolved::{self, Patience};
 use super::window::{Parabola, Plane, Side, Window};
-use crate::curve::Sway;
 use crate::geometry::Shape;
-use crate::motion::{Bend, Stretch, TurningRate};
+use crate::motion::Stretch;
 use crate::narrow_phase::distance::closest_points;
 use crate::narrow_phase::overlap::overlap;
 use glam::DVec3;
@@ -45,6 +46,9 @@ const QUICK_STEPS: u32 = 60;
 /// So many more for each stretch of a path and each radian turned.
 const STEPS_PER_STRETCH: u32 = 32;
 
+/// And for each cusp in which a body that faces its way turns round.
+const STEPS_PER_CUSP: u32 = 128;
+
 /// No more altogether: about a second's work.
 const MOST_STEPS: u32 = 1_000_000;
 
@@ -59,10 +63,6 @@ const ALIKE: f64 = 1e-12;
 
 /// Share of a frame that is rounding of the times at which pieces of paths meet.
 const ROUNDING: f64 = 1e-12;
-
-/// Share of a frame in which a body that faces its way may turn round unseen, where its path turns
-/// in a cusp or goes straight up.
-const FLIP: f64 = 1e-9;
 
 /// How deep a slide in touch may leave it unseen, as a share of the pair's size.
 const UNSEEN: f64 = 1e-9;
@@ -135,6 +135,7 @@ fn search<P: Planes>(
         touch,
         time,
         longest: 1.0,
+        patience: Patience::NEW,
         allowance: if P::DECIDES { STEPS } else { QUICK_STEPS },
         sliding: false,
     };
@@ -162,6 +163,7 @@ struct Search<'f, 'a, P> {
     time: f64,
     /// The longest window worth looking at.
     longest: f64,
+    patience: Patience,
     allowance: u32,
     /// Whether they were in touch at the last step.
     sliding: bool,
@@ -210,7 +212,13 @@ impl<'a, P: Planes> Search<'_, 'a, P> {
             self.planes.turn(&a, &b);
         }
         let found = self.planes.part(between);
-        let (passages, spins, sways, turning) = self.rates();
+        let rates = Rates::on((self.a, self.b), &self.stretches, (self.time, self.longest));
+        let Rates {
+            passages,
+            spins,
+            sways,
+            turning,
+        } = &rates;
         let window = Window {
             a: Side {
                 instant: &a,
@@ -228,7 +236,7 @@ impl<'a, P: Planes> Search<'_, 'a, P> {
             velocity: passages.velocity,
             bends: [&passages.bends[0], &passages.bends[1]],
             stray: passages.stray,
-            turning,
+            turning: *turning,
             radii: self.a.radius + self.b.radius,
             length: passages.length,
             to: passages.to,
@@ -239,7 +247,7 @@ impl<'a, P: Planes> Search<'_, 'a, P> {
                 return Some(Glide::Found(Encounter::Apart));
             }
             self.sliding = false;
-            return self.advance(&window, parted.normal, parted.distance);
+            return self.advance(&window, &parted);
         }
         if P::DECIDES {
             let normal = found.map(|parted| parted.normal);
@@ -273,71 +281,35 @@ impl<'a, P: Planes> Search<'_, 'a, P> {
     fn approach(&mut self, offset: DVec3, distance: f64, room: f64) {
         let normal = offset / distance;
         let passages = self.passages(1.0);
-        let parabola = Parabola {
-            start: room - 0.5 * FAR * self.reach(),
-            slope: normal.dot(passages.velocity) - passages.stray,
-            bend: passages.bends.iter().map(|bend| bend.along(normal)).sum(),
-        };
+        let parabola = passages.parabola(normal, room - 0.5 * FAR * self.reach());
         let along = parabola.root().min(passages.length);
         // Whatever the directions; what is lost is rounding.
         let anyhow = room / (self.a.speed + self.b.speed) * (1.0 - 1e-9);
-        if anyhow > along {
+        self.go_farther((along, (passages.length, passages.to)), anyhow);
+    }
+
+    /// As far as a window says, or beyond it as far as speeds alone do.
+    fn go_farther(&mut self, (by, window): (f64, (f64, f64)), anyhow: f64) {
+        if anyhow > by {
             self.go_on(anyhow, (1.0 - self.time, 1.0));
         } else {
-            self.go_on(along, (passages.length, passages.to));
+            self.go_on(by, window);
         }
     }
 
     /// How both hubs go on for `length` at most.
     fn passages(&self, length: f64) -> Passages {
         let to = (self.time + length).min(1.0);
-        // One by one: arrays of what is large are copied about.
-        let of = |flight: &Flight<'_>, stretch: &Stretch<'_>| {
-            flight.frame.passage(flight.motion, stretch, self.time, to)
-        };
-        let of_a = of(self.a, &self.stretches[0]);
-        let of_b = of(self.b, &self.stretches[1]);
-        Passages {
-            velocity: of_a.velocity - of_b.velocity,
-            bends: [of_a.bend, of_b.bend],
-            stray: of_a.stray + of_b.stray,
-            length: of_a.to.min(of_b.to) - self.time,
-            to: of_a.to.min(of_b.to),
-        }
+        Passages::between((self.a, self.b), &self.stretches, [self.time, to])
     }
 
-    /// How both hubs go on, angular velocities with what they change, and what else turning may do at most.
-    fn rates(&self) -> (Passages, [DVec3; 2], [Sway; 2], f64) {
-        let mut longest = self.longest;
-        loop {
-            let passages = self.passages(longest);
-            let mut turning = 0.0;
-            let mut spins = [DVec3::ZERO; 2];
-            let mut sways = [Sway::NONE; 2];
-            for (side, flight) in [self.a, self.b].into_iter().enumerate() {
-                if flight.turns() {
-                    let (frame, stretch) = (flight.frame, &self.stretches[side]);
-                    let rate = frame.turning_rate(flight.motion, stretch, self.time, passages.to);
-                    match rate {
-                        TurningRate::About { spin, sway } => {
-                            (spins[side], sways[side]) = (spin, sway);
-                        }
-                        TurningRate::AtMost(rate) => turning += rate * flight.arm,
-                    }
-                }
-            }
-            // Before a cusp, or where a body that faces its way goes straight up, only short windows
-            // say how fast it turns.
-            if turning.is_infinite() && passages.length > FLIP {
-                longest = 0.25 * passages.length;
-                continue;
-            }
-            return (passages, spins, sways, turning);
-        }
-    }
-
-    /// As far as planes across `normal` part the bodies, which are `distance` apart.
-    fn advance(&mut self, window: &Window<'_, '_>, normal: DVec3, distance: f64) -> Option<Glide> {
+    /// As far as planes across the normal part the bodies.
+    fn advance(&mut self, window: &Window<'_, '_>, parted: &Parted) -> Option<Glide> {
+        let Parted {
+            normal,
+            gap,
+            distance,
+        } = *parted;
         let floor = 0.5 * self.touch();
         let mut by = self.plane_advance(window, normal, floor);
         if by <= 0.0 && !P::DECIDES {
@@ -350,9 +322,11 @@ impl<'a, P: Planes> Search<'_, 'a, P> {
                 by = self.plane_advance(window, closest.normal, floor);
             }
         }
-        if window.turning.is_infinite() && by <= 0.0 {
-            // Nothing is known of a jump, but where it ends.
+        let jumps = window.turning.is_infinite() && by <= 0.0;
+        if jumps || by < ROUNDING && window.length <= FLIP && window.may_turn_round() {
+            // Nothing is known of a jump, but where it ends; beside it windows are short on both sides.
             by = window.length;
+            self.allowance = self.allowance.saturating_add(STEPS_PER_CUSP);
         }
         if by <= 0.0 {
             // Nobody is faster than this.
@@ -366,16 +340,56 @@ impl<'a, P: Planes> Search<'_, 'a, P> {
         self.longest = if by < 0.25 * window.length {
             4.0 * by
         } else {
-            (2.0 * self.longest).min(1.0)
+            2.0 * self.longest
         };
+        // Below rounding of the time it would have to be doubled a hundred times to matter again.
+        self.longest = self.longest.clamp(ROUNDING, 1.0);
         let turned = |side: &Side<'_, '_>| side.spin.length() * by;
         let radians = turned(&window.a) + turned(&window.b);
         // Of long windows more than anyone can use; the cast saturates.
         self.allowance = self
             .allowance
             .saturating_add((radians * f64::from(STEPS_PER_STRETCH)) as u32);
-        self.go_on(by, (window.length, window.to));
+        // Past cusps and laps that the window ends at.
+        let fastest = self.a.fastest() + self.b.fastest();
+        let anyhow = (gap - floor) / fastest * (1.0 - 1e-9);
+        let mut farthest = (by, (window.length, window.to));
+        if let Some(filled) = self.clear_of_solids(window, normal, floor, by.max(anyhow)) {
+            farthest = filled;
+        }
+        self.go_farther(farthest, anyhow);
         None
+    }
+
+    /// How long the solids that turning bodies fill stay apart, where that is longer than `by`, and the window
+    /// that says so.
+    fn clear_of_solids(
+        &mut self,
+        window: &Window<'_, '_>,
+        normal: DVec3,
+        floor: f64,
+        by: f64,
+    ) -> Option<(f64, (f64, f64))> {
+        if !(self.patience.is_over() && (self.a.turns() || self.b.turns())) {
+            return None;
+        }
+        let (normal, gap) = revolved::apart((self.a, self.b), window, normal)?;
+        if gap <= floor {
+            return None;
+        }
+        let passages = self.passages(1.0);
+        let along = passages.parabola(normal, gap - floor).root();
+        let along = along.min(passages.length);
+        let anyhow = (gap - floor) / (self.a.speed + self.b.speed) * (1.0 - 1e-9);
+        let found = if anyhow > along {
+            (anyhow, (1.0 - self.time, 1.0))
+        } else {
+            (along, (passages.length, passages.to))
+        };
+        (found.0 > by).then(|| {
+            self.patience.paid();
+            found
+        })
     }
 
     /// The longest advance of several planes across one normal that turn in different ways.
@@ -471,12 +485,4 @@ impl<'a, P: Planes> Search<'_, 'a, P> {
         self.go_on(by.min(window.length), (window.length, window.to));
         None
     }
-}
-
-struct Passages {
-    velocity: DVec3,
-    bends: [Bend; 2],
-    stray: f64,
-    length: f64,
-    to: f64,
 }

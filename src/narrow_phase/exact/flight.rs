@@ -1,7 +1,7 @@
 //! A body in flight, and where it is at a moment.
 
 use crate::geometry::{Pose, Shape};
-use crate::motion::{FrameMotion, Motion, Turning};
+use crate::motion::{FrameMotion, Motion, Path, Turning};
 use glam::{DMat3, DQuat, DVec3};
 
 /// A body that moves and turns in one frame.
@@ -104,7 +104,7 @@ impl<'a> Flight<'a> {
         flight
     }
 
-    fn each_vertex(&self, mut visit: impl FnMut(DVec3)) {
+    pub(super) fn each_vertex(&self, mut visit: impl FnMut(DVec3)) {
         match self.shape {
             Shape::Sphere(_) => visit(DVec3::ZERO),
             Shape::Cuboid(cuboid) => cuboid.vertices().into_iter().for_each(visit),
@@ -202,6 +202,32 @@ impl<'a> Flight<'a> {
     /// Whether it turns in a way that moves its surface.
     pub(super) fn turns(&self) -> bool {
         self.motion.turns() && self.arm > 0.0
+    }
+
+    /// No point of it moves faster, in metres per frame; infinite if nothing is known of how it turns.
+    pub(super) fn fastest(&self) -> f64 {
+        let turning = match self.motion.turning() {
+            Turning::Not => 0.0,
+            Turning::Spin(spin) => self.frame.seconds() * spin.rate().abs() * self.arm,
+            // To and fro on a line it keeps its heading.
+            Turning::Facing(_)
+                if !self.turns() || self.motion.path().is_some_and(Path::is_straight) =>
+            {
+                0.0
+            }
+            Turning::Facing(_) => f64::INFINITY,
+        };
+        self.speed + turning
+    }
+
+    /// The hub, in the body's own frame.
+    pub(super) fn hub(&self) -> DVec3 {
+        self.hub
+    }
+
+    /// How the body was turned as its motion began.
+    pub(super) fn orientation(&self) -> DQuat {
+        self.orientation
     }
 
     /// The least `n · r` of all points `r` of the core from the hub, however a spin about

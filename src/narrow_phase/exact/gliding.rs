@@ -176,6 +176,15 @@ impl<P: Parting> Search<'_, '_, P> {
         self.looks > self.allowance
     }
 
+    /// Where a stretch ends, as far into those that follow as speeds alone say: one lap may be very short.
+    pub(super) fn go_beyond(&mut self, until: f64, parted: Parted) -> Option<Glide> {
+        let gap = parted.gap - self.touch.at(until);
+        let speed = self.flights[0].speed + self.flights[1].speed;
+        let anyhow = (gap / speed * (1.0 - 1e-9)).max(0.0);
+        self.time = (until + anyhow).min(1.0);
+        (self.time >= 1.0).then_some(Glide::Found(Encounter::Apart))
+    }
+
     /// One body on a curve, the other at rest.
     fn along(&mut self, side: usize) -> Option<Glide> {
         let (stretch, other) = (self.stretches[side], self.flights[1 - side]);
@@ -193,10 +202,10 @@ impl<P: Parting> Search<'_, '_, P> {
             let between = sense * (curve.piece.point(u) - rest);
             let parted = self.parting.part(between);
             let far = parted.filter(|parted| parted.distance > touch);
-            if far.is_some() && (u - last).abs() <= 0.0 {
-                self.time = until;
-                let ends = until >= 1.0;
-                return ends.then_some(Glide::Found(Encounter::Apart));
+            if let Some(parted) = far
+                && (u - last).abs() <= 0.0
+            {
+                return self.go_beyond(until, parted);
             }
             let floor = 0.5 * touch;
             let above = far.filter(|parted| parted.gap > floor && !self.is_weary());

@@ -131,6 +131,12 @@ impl Outlook<'_, '_> {
 }
 
 impl<'a> Window<'_, 'a> {
+    /// Whether a body that faces its way may turn round before the window ends.
+    pub(super) fn may_turn_round(&self) -> bool {
+        let sway = self.a.sway.most().max(self.b.sway.most());
+        sway * self.length * self.length > 1.0
+    }
+
     /// Heights above `floor` across a plane, for `length` frames.
     fn across(&self, plane: &Plane, floor: f64, length: f64) -> Outlook<'_, 'a> {
         let Plane { normal, turn } = *plane;
