@@ -121,6 +121,15 @@ impl Horizon {
         self.ahead
     }
 
+    /// What is left of it as a frame begins.
+    pub(super) fn rest(&self, span: Span) -> Span {
+        let end = self.ahead.time + self.ahead.dt;
+        Span {
+            dt: (end - span.time).max(span.dt),
+            ..span
+        }
+    }
+
     fn shorten(&mut self) {
         self.frames = (self.frames / 2).max(1);
         self.shorter = f64::INFINITY;

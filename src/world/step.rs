@@ -249,8 +249,10 @@ impl CollisionWorld {
     ) {
         let by_boxes = self.config.broad_phase == BroadPhase::Bvh;
         let ahead = if by_boxes && self.horizon.holds(span) {
-            self.bvh.renew(|track| track.swept(span));
-            self.horizon.ahead()
+            let (ahead, rest) = (self.horizon.ahead(), self.horizon.rest(span));
+            self.bvh
+                .renew(|track| track.swept(span), |track| track.swept(rest));
+            ahead
         } else {
             let may_last = by_boxes && self.on_paths.is_empty();
             let ahead = self.horizon.begin(span, self.slots.len(), may_last);

@@ -232,6 +232,7 @@ impl<T: Copy + Sync> Bvh<T> {
     /// allocate unless there is more of anything than before.
     pub fn update(&mut self, bounds: impl Fn(&T) -> Aabb + Sync) {
         self.lists.clear();
+        self.forget_diverted();
         for tree in &mut self.trees {
             tree.settled = false;
         }
@@ -321,10 +322,17 @@ impl<T: Copy + Sync> Bvh<T> {
     /// last one: they are left as they are, and so are the pairs among these bodies.
     ///
     /// The caller sees to it that bodies stay within the boxes they were given then:
-    /// one whose motion has changed has to be [inserted](Self::insert) again.
+    /// one whose motion has changed has to be [diverted](Self::divert), or
+    /// [inserted](Self::insert) again. `lasting` tells the boxes of the former, for as long as the
+    /// others hold.
     ///
-    /// O(bodies that are new since the last update).
-    pub fn renew(&mut self, bounds: impl Fn(&T) -> Aabb + Sync) {
+    /// O(bodies that are new since the last update or diverted since the last renewal).
+    pub fn renew(
+        &mut self,
+        bounds: impl Fn(&T) -> Aabb + Sync,
+        lasting: impl Fn(&T) -> Aabb + Sync,
+    ) {
+        self.fit_diverted(&lasting);
         self.settle(&bounds);
         self.fit_unsettled(&bounds);
     }

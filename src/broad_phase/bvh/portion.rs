@@ -114,6 +114,19 @@ impl<'a, T: Copy> Portion<'a, T> {
         self.len == 0
     }
 
+    /// Leaves out those of bodies that have been diverted since they were found.
+    pub(super) fn leave_out_diverted(&mut self) {
+        let marks = self.trees.map(|tree| &tree.diverted);
+        if marks.iter().all(|marks| marks.is_empty()) {
+            return;
+        }
+        for pair in &mut *self.pairs {
+            if marks[0].has(pair.a) || marks[1].has(pair.b) {
+                pair.wait = f32::INFINITY;
+            }
+        }
+    }
+
     /// Whether they have been found just now, and are not kept from before.
     #[must_use]
     pub fn is_new(&self) -> bool {

@@ -2,6 +2,7 @@
 
 use super::block::{Block, WIDTH};
 use super::bounds::Bounds;
+use super::diverted::Marks;
 use super::order::{self, Item};
 
 /// In a leaf whose body has gone.
@@ -27,6 +28,8 @@ pub(super) struct Tree<T> {
     pub(super) data: Vec<T>,
     /// The lowest first; the last has one node.
     pub(super) levels: Vec<Vec<Block>>,
+    /// Leaves of bodies that have another motion since the last update or renewal.
+    pub(super) diverted: Marks,
     /// Leaves whose bodies have gone.
     pub(super) vacant: usize,
     /// How much surface there was when the leaves were last arranged.
@@ -47,6 +50,7 @@ impl<T: Copy + Sync> Tree<T> {
             leaves: Vec::new(),
             data: Vec::new(),
             levels: Vec::new(),
+            diverted: Marks::default(),
             vacant: 0,
             arranged_surface: 0.0,
             surface: 0.0,
@@ -83,6 +87,7 @@ impl<T: Copy + Sync> Tree<T> {
         self.leaves.extend(arranged().map(|&(slot, _)| slot));
         self.data.extend(arranged().map(|&(_, data)| data));
         self.vacant = 0;
+        self.diverted.clear(items.len());
         let mut nodes = items.len();
         let mut level = 0;
         loop {
@@ -107,6 +112,18 @@ impl<T: Copy + Sync> Tree<T> {
         self.surface = fit(&mut self.levels, bodies, bounds);
         if self.arranged_surface <= 0.0 {
             self.arranged_surface = self.surface;
+        }
+    }
+
+    /// Gives a leaf another box, and fits those above.
+    pub(super) fn refit(&mut self, leaf: usize, bounds: Bounds) {
+        let (mut index, mut bounds) = (leaf, bounds);
+        for level in &mut self.levels {
+            if let Some(block) = level.get_mut(index / WIDTH) {
+                block.set(index % WIDTH, &bounds);
+                bounds = block.union();
+            }
+            index /= WIDTH;
         }
     }
 
@@ -165,6 +182,7 @@ impl<T: Copy + Sync> Tree<T> {
     pub(super) fn memory(&self) -> usize {
         let blocks: usize = self.levels.iter().map(Vec::capacity).sum();
         blocks * size_of::<Block>()
+            + self.diverted.memory()
             + self.leaves.capacity() * size_of::<u32>()
             + self.data.capacity() * size_of::<T>()
     }
