@@ -395,7 +395,8 @@ impl Resident {
             reach,
             half: tracks::half_extents(&body, centre_offset),
             points: solver.surface_points(&body.shape),
-            frame: FrameMotion::new(&body.motion, 0.0, 1.0),
+            frame: (body.motion.path().is_some())
+                .then(|| Box::new(FrameMotion::new(&body.motion, 0.0, 1.0))),
             body,
         }
     }

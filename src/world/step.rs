@@ -7,6 +7,7 @@
 use crate::broad_phase::{BroadPhase, Bvh, FramePairs, PairList, Volume};
 use crate::error::StepError;
 use crate::math::domain;
+use crate::motion::FrameMotion;
 use crate::tolerance::{MAX_COORDINATE, MAX_TIME_STEP, MIN_TIME_STEP};
 use crate::world::finding::Frame;
 use crate::world::findings;
@@ -230,8 +231,17 @@ impl CollisionWorld {
                 return false;
             }
             let (elapsed, duration) = span.of_motion(resident.since);
-            resident.frame = (resident.frame).renewed(resident.body.motion(), elapsed, duration);
-            *track = Track::in_frame(resident, span);
+            let motion = resident.body.motion();
+            let before = match &resident.frame {
+                Some(frame) => **frame,
+                None => FrameMotion::new(motion, 0.0, 1.0),
+            };
+            let frame = before.renewed(motion, elapsed, duration);
+            *track = Track::in_frame(resident, &frame, span);
+            match &mut resident.frame {
+                Some(place) => **place = frame,
+                None => resident.frame = Some(Box::new(frame)),
+            }
             true
         });
     }

@@ -93,7 +93,6 @@ pub struct Bvh<T> {
     /// Moving bodies that were inserted anew since the last update, and the leaves they left with their boxes.
     away: Vec<(u32, LeafId, Bounds)>,
     items: Vec<Item>,
-    bodies: Vec<(u32, T)>,
     /// Pairs of the trees there are.
     pub(super) lists: Lists,
 }
@@ -107,7 +106,6 @@ impl<T> Default for Bvh<T> {
             places: Vec::new(),
             away: Vec::new(),
             items: Vec::new(),
-            bodies: Vec::new(),
             lists: Lists::default(),
         }
     }
@@ -221,7 +219,6 @@ impl<T: Copy + Sync> Bvh<T> {
             + self.places.capacity() * size_of::<LeafId>()
             + self.away.capacity() * size_of::<(u32, LeafId, Bounds)>()
             + self.items.capacity() * size_of::<Item>()
-            + self.bodies.capacity() * size_of::<(u32, T)>()
             + self.lists.memory()
             + self.waiting.capacity() * size_of::<(Mobility, u32, T)>()
     }
@@ -363,14 +360,7 @@ impl<T: Copy + Sync> Bvh<T> {
             };
         }
         for mobility in [Mobility::Fixed, Mobility::Moving] {
-            self.items.clear();
-            self.bodies.clear();
-            for &(_, slot, data) in self.waiting.iter().filter(|(kind, ..)| *kind == mobility) {
-                let around = Bounds::around(&bounds(&data), self.origin);
-                self.items.push((around.middle(), self.bodies.len() as u32));
-                self.bodies.push((slot, data));
-            }
-            if self.items.is_empty() {
+            if !self.waiting.iter().any(|(kind, ..)| *kind == mobility) {
                 continue;
             }
             let is_spare = |tree: &Tree<T>| tree.live() == 0 && !tree.settled;
@@ -379,7 +369,14 @@ impl<T: Copy + Sync> Bvh<T> {
             if spare.is_none() {
                 self.trees.push(Tree::new(mobility));
             }
-            self.trees[index].mobility = mobility;
+            let tree = &mut self.trees[index];
+            tree.mobility = mobility;
+            tree.clear();
+            self.items.clear();
+            for &(_, slot, data) in self.waiting.iter().filter(|(kind, ..)| *kind == mobility) {
+                let around = Bounds::around(&bounds(&data), self.origin);
+                tree.add((slot, data), around.middle(), &mut self.items);
+            }
             self.plant(index, &bounds);
             // Of trees that are about as large, one is made, so that there are few.
             while let Some(other) = self.as_large(index) {
@@ -426,30 +423,32 @@ impl<T: Copy + Sync> Bvh<T> {
 
     /// Makes one tree of several, in the place of the first.
     fn merge(&mut self, indices: &[usize], bounds: &(impl Fn(&T) -> Aabb + Sync)) {
+        let Some((&first, others)) = indices.split_first() else {
+            return;
+        };
         self.items.clear();
-        self.bodies.clear();
-        for &index in indices {
-            let tree = &mut self.trees[index];
+        let mobility = self.trees[first].mobility;
+        let mut whole = std::mem::replace(&mut self.trees[first], Tree::new(mobility));
+        whole.close_gaps(&mut self.items);
+        let more = others.iter().map(|&index| self.trees[index].live()).sum();
+        whole.leaves.reserve_exact(more);
+        whole.data.reserve_exact(more);
+        for &index in others {
+            let tree = std::mem::replace(&mut self.trees[index], Tree::new(mobility));
             for (leaf, (&slot, &data)) in tree.leaves.iter().zip(&tree.data).enumerate() {
                 if slot != NOBODY {
-                    let middle = tree.leaf(leaf).middle();
-                    self.items.push((middle, self.bodies.len() as u32));
-                    self.bodies.push((slot, data));
+                    whole.add((slot, data), tree.leaf(leaf).middle(), &mut self.items);
                 }
             }
-            if Some(&index) != indices.first() {
-                *tree = Tree::new(tree.mobility);
-            }
         }
-        if let Some(&index) = indices.first() {
-            self.plant(index, bounds);
-        }
+        self.trees[first] = whole;
+        self.plant(first, bounds);
     }
 
-    /// Makes a tree of the bodies at hand.
+    /// Makes a tree of the bodies in it, which are in any order, each with an item.
     fn plant(&mut self, index: usize, bounds: &(impl Fn(&T) -> Aabb + Sync)) {
         let tree = &mut self.trees[index];
-        tree.arrange(&mut self.items, &self.bodies);
+        tree.arrange(&mut self.items);
         tree.fit(|data| Bounds::around(&bounds(data), self.origin));
         for (leaf, &slot) in tree.leaves.iter().enumerate() {
             if let Some(place) = self.places.get_mut(slot as usize) {
