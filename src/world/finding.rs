@@ -44,10 +44,11 @@ impl Frame<'_> {
             let found: Vec<Findings> = pairs
                 .par_chunks(CHUNK)
                 .map(|pairs| {
-                    let mut findings = Findings::default();
+                    let mut found = findings.shared.room();
                     let mut solver = Solver::new(self.config.method);
-                    self.examine(pairs, at, &mut solver, &mut findings);
-                    findings
+                    self.examine(pairs, at, &mut solver, &mut found);
+                    found.divide(self.slots.capacity());
+                    found
                 })
                 .collect();
             for chunk in found {

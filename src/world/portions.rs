@@ -25,9 +25,12 @@ impl Frame<'_> {
         #[cfg(feature = "parallel")]
         if rayon::current_num_threads() > 1 && self.slots.len() >= MANY {
             let parts = bvh.pairs_in_parallel(|pairs, found: &mut (Passed, Findings)| {
+                found.1 = findings.shared.room();
                 let mut solver = Solver::new(self.config.method);
+                leave_out(gate, pairs, &mut found.0);
                 self.pass(gate, pairs, (&mut found.0, &mut found.1));
                 self.examine(&found.0.pairs, |id| pairs.at(id), &mut solver, &mut found.1);
+                found.1.divide(self.slots.capacity());
             });
             for (more, found) in parts {
                 passed.append(&more);
@@ -39,15 +42,16 @@ impl Frame<'_> {
         }
         bvh.pairs(|pairs| {
             times.broad_phase += laps.lap();
-            self.pass(gate, pairs, (passed, findings));
+            leave_out(gate, pairs, passed);
             times.early_outs += laps.lap();
+            self.pass(gate, pairs, (passed, findings));
             self.examine(&passed.pairs, |id| pairs.at(id), solver, findings);
             times.narrow_phase += laps.lap();
         });
         times.broad_phase += laps.lap();
     }
 
-    /// The early-outs of some pairs: which are left. Balls are examined at once, while they are at hand.
+    /// The early-outs of some pairs in the frame: which are left. Balls are examined at once, while they are at hand.
     fn pass(
         &self,
         gate: &Gate<'_>,
@@ -55,15 +59,6 @@ impl Frame<'_> {
         (passed, findings): (&mut Passed, &mut Findings),
     ) {
         passed.pairs.clear();
-        if pairs.is_new() && gate.looks_ahead() {
-            let mut others = Passed::default();
-            pairs.retain(
-                Track::touch,
-                |a, b| gate.may_come_near(a, b, &mut others),
-                |a, b| gate.may_meet(a, b, passed),
-            );
-            passed.append(&others);
-        }
         // A caller's choice is asked about pairs that have passed the early-outs.
         let at_once = self.config.method == Method::Exact && gate.keep.is_none();
         pairs.for_each((Track::touch, gate.now()), |a, b| {
@@ -102,4 +97,26 @@ impl Frame<'_> {
             }
         }
     }
+}
+
+/// Leaves out the pairs that have just been found and cannot meet before pairs are found anew;
+/// tells of the others when they may, if that is not in the same frame.
+fn leave_out(gate: &Gate<'_>, pairs: &mut Portion<'_, Track>, passed: &mut Passed) {
+    if !pairs.is_new() {
+        return;
+    }
+    let looks_ahead = gate.looks_ahead();
+    let mut others = Passed::default();
+    pairs.retain(
+        Track::touch,
+        |a, b| gate.may_come_near(a, b, &mut others),
+        |a, b| {
+            if looks_ahead {
+                gate.may_meet(a, b, passed)
+            } else {
+                Some(f32::NEG_INFINITY)
+            }
+        },
+    );
+    passed.append(&others);
 }

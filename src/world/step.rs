@@ -351,9 +351,13 @@ impl CollisionWorld {
         self.findings.met_until(until, &mut self.met);
         self.touching.clear();
         self.touching.append(&mut self.findings.resting);
-        let touches = self.contacts.iter().filter(|contact| contact.is_touch());
-        self.touching
-            .extend(touches.map(|contact| findings::key(contact.a.slot, contact.b.slot)));
+        if until >= 1.0 {
+            self.touching.extend(self.findings.touches());
+        } else {
+            let touches = self.contacts.iter().filter(|contact| contact.is_touch());
+            let key = |contact: &Contact| findings::key(contact.a.slot, contact.b.slot);
+            self.touching.extend(touches.map(key));
+        }
         self.touching.sort_unstable();
     }
 }

@@ -6,7 +6,7 @@ use crate::motion::FrameMotion;
 use crate::tolerance::{MAX_COORDINATE, TOUCH};
 use crate::world::slots::Resident;
 use crate::world::{Body, Groups};
-use glam::DVec3;
+use glam::{DQuat, DVec3};
 
 /// The frame at hand, in seconds of the world's clock.
 #[derive(Debug, Clone, Copy)]
@@ -54,6 +54,8 @@ pub(super) struct Track {
     pub(super) course: Course,
     /// Whether the body is a ball in straight flight, or at rest: there is no more to it.
     pub(super) is_ball: bool,
+    /// Whether its axes are those of the world, as its motion begins.
+    pub(super) is_unturned: bool,
     pub(super) groups: Groups,
 }
 
@@ -119,6 +121,7 @@ impl Track {
                 _ => Course::Path,
             },
             groups: resident.body.groups,
+            is_unturned: resident.body.orientation == DQuat::IDENTITY,
             is_ball: matches!(resident.body.shape, Shape::Sphere(_))
                 && motion.path().is_none()
                 && !motion.turns(),
@@ -158,6 +161,7 @@ impl Track {
             half: rounded_up(resident.half + growth),
             course: Course::Path,
             is_ball: false,
+            is_unturned: false,
             groups: resident.body.groups,
         }
     }

@@ -65,6 +65,27 @@ impl<T: Copy + Sync> Bvh<T> {
     /// It costs less than [`insert`](Self::insert), which is for bodies that are elsewhere.
     /// Answers whether that will do: of fixed bodies, and of those that were not there at the
     /// last [`update`](Self::update), it does not.
+    ///
+    /// ```
+    /// use feeler::Aabb;
+    /// use feeler::broad_phase::Bvh;
+    ///
+    /// let place = |x: &f64| Aabb::new([*x, 0.0, 0.0], [*x + 1.0, 1.0, 1.0]);
+    /// let mut bvh = Bvh::default();
+    /// for slot in 0..3 {
+    ///     bvh.insert(slot, true, 3.0 * f64::from(slot));
+    /// }
+    /// bvh.update(place);
+    /// bvh.pairs(|pairs| assert!(pairs.is_empty()));
+    /// if let Some(x) = bvh.get_mut(0) {
+    ///     *x = 2.5;
+    /// }
+    /// assert!(bvh.divert(0));
+    /// bvh.renew(place, place);
+    /// let mut found = Vec::new();
+    /// bvh.pairs(|pairs| found.extend(pairs.iter().map(|(a, b)| (a.slot, b.slot))));
+    /// assert_eq!(found, [(0, 1)]);
+    /// ```
     pub fn divert(&mut self, slot: u32) -> bool {
         let Some(id) = self.leaf(slot) else {
             return false;

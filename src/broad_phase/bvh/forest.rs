@@ -8,7 +8,8 @@ use crate::geometry::Aabb;
 use glam::DVec3;
 
 /// What arranging leaves anew costs, in tests of a block for each leaf and each
-/// cut in two. Measured: 4.4 ns to 6.5 ns. What matters is the order of magnitude.
+/// cut in two. Measured: 12 ns to 17 ns, twice as much. But rays, of which nobody knows how many
+/// will come, gain by an order that is new.
 const ARRANGING: f64 = 0.8;
 
 /// Where a body is kept, until the next change of a [`Bvh`].
