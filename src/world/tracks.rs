@@ -226,7 +226,8 @@ impl Track {
         let (closing, square) = (between.dot(motion), motion.length_squared());
         // The nearest place on the way. No NaN, also of those that do not move relative to each other;
         // by rounding it is beside the nearest by less than the reach was grown for.
-        let at = (closing / square).max(0.0).min(1.0);
+        let at = closing / square;
+        let at = if at > 0.0 { at.min(1.0) } else { 0.0 };
         let nearest = (between - at * motion).length_squared();
         let reach = reach * reach * (1.0 + 1e-9);
         let is_off = nearest > reach;
