@@ -72,7 +72,7 @@ fn hierarchies_miss_no_contact_that_all_pairs_have() {
                 for (looked, world) in looked.iter_mut().zip(&worlds) {
                     *looked += world.stats().pairs;
                 }
-                let changes = if calm { random.below(2) } else { 8 };
+                let changes = if calm { random.below(4) } else { 8 };
                 for new in crowd.bodies(count, &mut random).into_iter().take(changes) {
                     let index = random.below(ids.len());
                     let id = ids[index];

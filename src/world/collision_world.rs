@@ -205,8 +205,9 @@ impl CollisionWorld {
             Course::Fixed => {}
         }
         // A box that is to hold for longer would not hold the new motion.
-        let anew = anew || self.horizon.is_beyond(self.time);
+        let is_beyond = self.horizon.is_beyond(self.time);
         self.horizon.disturb();
+        let anew = anew || is_beyond && !(track.course == Course::Free && self.bvh.divert(slot));
         match self.bvh.get_mut(slot) {
             Some(place) if !anew => *place = track,
             _ => self.bvh.insert(slot, track.course != Course::Fixed, track),
@@ -394,7 +395,8 @@ impl Resident {
             reach,
             half: tracks::half_extents(&body, centre_offset),
             points: solver.surface_points(&body.shape),
-            frame: FrameMotion::new(&body.motion, 0.0, 1.0),
+            frame: (body.motion.path().is_some())
+                .then(|| Box::new(FrameMotion::new(&body.motion, 0.0, 1.0))),
             body,
         }
     }

@@ -44,10 +44,11 @@ impl Frame<'_> {
             let found: Vec<Findings> = pairs
                 .par_chunks(CHUNK)
                 .map(|pairs| {
-                    let mut findings = Findings::default();
+                    let mut found = findings.shared.room();
                     let mut solver = Solver::new(self.config.method);
-                    self.examine(pairs, at, &mut solver, &mut findings);
-                    findings
+                    self.examine(pairs, at, &mut solver, &mut found);
+                    found.divide(self.slots.capacity());
+                    found
                 })
                 .collect();
             for chunk in found {
@@ -78,7 +79,7 @@ impl Frame<'_> {
                 };
                 let finding = if exact && a.data.is_ball && b.data.is_ball {
                     findings.effort.stretches += 1;
-                    balls::examine(a.data, b.data, self.span)
+                    balls::examine(a.data, b.data, self.span).unwrap_or_default()
                 } else {
                     self.examine_bodies(&a, &b, solver, &mut findings.effort)
                 };
@@ -137,14 +138,22 @@ impl Frame<'_> {
         track: &Track,
         room: &'a mut Option<FrameMotion>,
     ) -> &'a FrameMotion {
-        if track.course == Course::Path {
-            return &resident.frame;
+        if track.course == Course::Path
+            && let Some(frame) = &resident.frame
+        {
+            return frame;
         }
         let (elapsed, duration) = self.span.of_motion(resident.since);
         room.insert(FrameMotion::new(resident.body.motion(), elapsed, duration))
     }
 
-    fn note(&self, (first, second): (u32, u32), finding: Finding, findings: &mut Findings) {
+    #[inline]
+    pub(super) fn note(
+        &self,
+        (first, second): (u32, u32),
+        finding: Finding,
+        findings: &mut Findings,
+    ) {
         let pair = key(first, second);
         let is_any =
             |is: fn(&Stirred, u32) -> bool| is(self.stirred, first) || is(self.stirred, second);

@@ -2,6 +2,8 @@
 
 use crate::math::radix::sort_by_slots;
 use crate::world::pair::PairEffort;
+#[cfg(feature = "parallel")]
+use crate::world::shared::{Ends, PORTIONS, Shared};
 use crate::world::{Contact, ContactKind};
 
 /// A pair of slots, the lower one first, as one number to sort by.
@@ -14,20 +16,24 @@ pub(super) fn key(a: u32, b: u32) -> PairKey {
 }
 
 /// All that the narrow phase finds.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Default)]
 pub(super) struct Findings {
     /// Contacts as they were found.
     pub(super) contacts: Vec<Contact>,
-    /// Those that other threads found: left where they are.
-    parts: Vec<Vec<Contact>>,
     /// For each contact its pair, and where it is.
-    pub(super) keys: Vec<Found>,
+    keys: Vec<Found>,
     /// Pairs that were reported as touching and touch still.
     pub(super) resting: Vec<PairKey>,
     pub(super) effort: PairEffort,
     /// Room to sort in.
     spare: Vec<Found>,
     late: Vec<Late>,
+    /// What other threads have found; nothing has been found here then.
+    #[cfg(feature = "parallel")]
+    pub(super) shared: Shared,
+    /// Of a part of those, where the portions of its keys end.
+    #[cfg(feature = "parallel")]
+    ends: Ends,
 }
 
 /// Which contact is whose.
@@ -37,39 +43,112 @@ pub(super) struct Found {
     order: u64,
     /// Where in its list.
     index: u32,
-    /// In which list, and two marks.
+    /// In which list, and three marks.
     rest: u32,
 }
 
 impl Found {
     /// It is one of the moment at which the frame begins.
-    const AT_START: u32 = 1;
+    pub(super) const AT_START: u32 = 1;
     /// The pair may have met unseen: it overlaps, and neither body was put where it is.
     const DRIFTED: u32 = 2;
+    /// It is told as a touch.
+    const TOUCH: u32 = 4;
 
-    fn is(&self, mark: u32) -> bool {
+    #[inline]
+    pub(super) fn is(&self, mark: u32) -> bool {
         self.rest & mark != 0
     }
 
-    fn part(&self) -> usize {
-        (self.rest >> 2) as usize
+    #[inline]
+    pub(super) fn order(&self) -> u64 {
+        self.order
+    }
+
+    /// The pair, if it is told as touching.
+    #[inline]
+    pub(super) fn touch(&self) -> Option<PairKey> {
+        self.is(Self::TOUCH)
+            .then(|| key((self.order >> 32) as u32, self.order as u32))
+    }
+
+    /// The contact as it is told.
+    #[inline]
+    pub(super) fn told(&self, contact: &Contact) -> Contact {
+        let mut told = *contact;
+        if self.is(Self::DRIFTED) && self.is(Self::TOUCH) {
+            told.kind = ContactKind::Touch;
+        }
+        told
+    }
+}
+
+#[cfg(feature = "parallel")]
+impl Found {
+    /// The same in the list of a part.
+    #[inline]
+    pub(super) fn of_part(&self, part: usize) -> Self {
+        Self {
+            rest: (part as u32) << 3 | self.rest,
+            ..*self
+        }
+    }
+
+    #[inline]
+    pub(super) fn part(&self) -> usize {
+        (self.rest >> 3) as usize
+    }
+
+    #[inline]
+    pub(super) fn index(&self) -> usize {
+        self.index as usize
     }
 }
 
 /// A contact within the frame, by what it is sorted by.
 #[derive(Debug, Clone, Copy)]
-struct Late {
-    time: f64,
-    found: Found,
+pub(super) struct Late {
+    pub(super) time: f64,
+    pub(super) found: Found,
+}
+
+/// By time, then by slots.
+pub(super) fn sort_late(late: &mut [Late]) {
+    late.sort_unstable_by(|a, b| {
+        let by_time = a.time.total_cmp(&b.time);
+        by_time.then(a.found.order.cmp(&b.found.order))
+    });
+}
+
+/// Marks those of some keys, which are sorted, that are told as touches since the pair was apart a
+/// frame ago, and moved into each other since: that they met was overlooked by rounding, or by too
+/// few rays. `met` as for [`Findings::sort_into`].
+pub(super) fn mark_met(keys: &mut [Found], met: &[PairKey]) {
+    let Some(first) = keys.first().map(Found::order) else {
+        return;
+    };
+    // Both lists are sorted: one pass tells which pairs are in both.
+    let begin = met.partition_point(|&pair| pair < first);
+    let mut before = met.iter().skip(begin).peekable();
+    for found in keys.iter_mut().filter(|found| found.is(Found::DRIFTED)) {
+        while before.next_if(|&&pair| pair < found.order).is_some() {}
+        let is_new = before.peek().is_none_or(|&&pair| pair != found.order);
+        // A pair changes its order if one of its bodies stops or sets out.
+        let turned = found.order.rotate_left(32);
+        if is_new && met.binary_search(&turned).is_err() {
+            found.rest |= Found::TOUCH;
+        }
+    }
 }
 
 impl Findings {
     pub(super) fn clear(&mut self) {
         self.contacts.clear();
-        self.parts.clear();
         self.keys.clear();
         self.resting.clear();
         self.effort = PairEffort::default();
+        #[cfg(feature = "parallel")]
+        self.shared.clear();
     }
 
     /// Adds a contact; `is_placed` tells whether one of its bodies was put where it is.
@@ -80,96 +159,100 @@ impl Findings {
             order: u64::from(contact.a.slot) << 32 | u64::from(contact.b.slot),
             index: self.contacts.len() as u32,
             rest: mark(contact.fraction <= 0.0, Found::AT_START)
-                | mark(overlaps && !is_placed, Found::DRIFTED),
+                | mark(overlaps && !is_placed, Found::DRIFTED)
+                | mark(!overlaps, Found::TOUCH),
         });
         self.contacts.push(contact);
     }
 
-    /// Adds what was found of other pairs.
+    /// Divides the keys among portions, by the first of their slots, of which there are so many.
+    #[cfg(feature = "parallel")]
+    pub(super) fn divide(&mut self, slots: usize) {
+        let slots = slots.max(1);
+        let portion = |found: &Found| {
+            let first = (found.order >> 32) as usize;
+            (first * PORTIONS / slots).min(PORTIONS - 1)
+        };
+        let mut places: Ends = [0; PORTIONS];
+        for found in &self.keys {
+            places[portion(found)] += 1;
+        }
+        let mut before = 0;
+        for place in &mut places {
+            before += std::mem::replace(place, before);
+        }
+        self.spare.clear();
+        self.spare.extend_from_slice(&self.keys);
+        for found in &self.spare {
+            let place = &mut places[portion(found)];
+            if let Some(there) = self.keys.get_mut(*place as usize) {
+                *there = *found;
+            }
+            *place += 1;
+        }
+        self.ends = places;
+    }
+
+    /// The keys of a portion.
+    #[cfg(feature = "parallel")]
+    pub(super) fn portion(&self, number: usize) -> &[Found] {
+        let end = |number: usize| self.ends.get(number).map_or(0, |&end| end as usize);
+        let begin = number.checked_sub(1).map_or(0, end);
+        self.keys.get(begin..end(number)).unwrap_or_default()
+    }
+
+    /// Adds what was found of other pairs, and has been [divided](Self::divide).
     #[cfg(feature = "parallel")]
     pub(super) fn append(&mut self, other: Self) {
-        debug_assert!(other.parts.is_empty(), "parts have no parts");
-        self.parts.push(other.contacts);
-        let part = (self.parts.len() as u32) << 2;
-        let found = other.keys.iter().map(|found| Found {
-            rest: part | found.rest,
-            ..*found
-        });
-        self.keys.extend(found);
         self.resting.extend_from_slice(&other.resting);
         self.effort.stretches += other.effort.stretches;
         self.effort.rays += other.effort.rays;
         self.effort.undecided += other.effort.undecided;
+        self.shared.add(other);
     }
 
     /// Bytes in use.
     pub(super) fn memory(&self) -> usize {
-        let parts = self.parts.iter().map(Vec::capacity).sum::<usize>();
-        (self.contacts.capacity() + parts) * size_of::<Contact>()
+        let own = self.contacts.capacity() * size_of::<Contact>()
             + (self.keys.capacity() + self.spare.capacity()) * size_of::<Found>()
             + self.late.capacity() * size_of::<Late>()
-            + self.resting.capacity() * size_of::<PairKey>()
-    }
-
-    fn list(&self, part: usize) -> &[Contact] {
-        match part.checked_sub(1) {
-            None => &self.contacts,
-            Some(part) => self.parts.get(part).map_or(&[], Vec::as_slice),
-        }
-    }
-
-    fn contact(&self, found: &Found) -> Option<&Contact> {
-        self.list(found.part()).get(found.index as usize)
-    }
-
-    fn contact_mut(&mut self, found: &Found) -> Option<&mut Contact> {
-        let list = match found.part().checked_sub(1) {
-            None => &mut self.contacts,
-            Some(part) => self.parts.get_mut(part)?,
-        };
-        list.get_mut(found.index as usize)
+            + self.resting.capacity() * size_of::<PairKey>();
+        #[cfg(feature = "parallel")]
+        let own = own + self.shared.memory();
+        own
     }
 
     /// Sorts the contacts into `sorted`: by time, then by ids.
     ///
     /// `met` are the pairs with a contact in the frame before, as contacts name them, sorted.
     pub(super) fn sort_into(&mut self, sorted: &mut Vec<Contact>, met: &[PairKey]) {
-        self.sort_keys();
-        let keys = std::mem::take(&mut self.keys);
-        // Both lists are sorted: one pass tells which pairs are in both.
-        let mut before = met.iter().peekable();
-        for found in keys.iter().filter(|found| found.is(Found::DRIFTED)) {
-            while before.next_if(|&&pair| pair < found.order).is_some() {}
-            let is_new = before.peek().is_none_or(|&&pair| pair != found.order);
-            // A pair changes its order if one of its bodies stops or sets out.
-            let turned = found.order.rotate_left(32);
-            // Apart a frame ago, and moved into each other since: that they met
-            // was overlooked by rounding, or by too few rays, and is told now.
-            if is_new
-                && met.binary_search(&turned).is_err()
-                && let Some(contact) = self.contact_mut(found)
-            {
-                contact.kind = ContactKind::Touch;
-            }
+        #[cfg(feature = "parallel")]
+        if !self.shared.is_empty() {
+            self.shared.sort_into(sorted, met);
+            return;
         }
+        self.sort_keys();
+        mark_met(&mut self.keys, met);
+        let Self {
+            contacts,
+            keys,
+            late,
+            ..
+        } = self;
+        let contact = |found: &Found| contacts.get(found.index as usize);
         // Most contacts of a crowd are overlaps as the frame begins, and in order now.
-        let mut late = std::mem::take(&mut self.late);
         late.clear();
         let is_late = |found: &&Found| !found.is(Found::AT_START);
         late.extend(keys.iter().filter(is_late).filter_map(|&found| {
-            let time = self.contact(&found)?.time;
+            let time = contact(&found)?.time;
             Some(Late { time, found })
         }));
-        late.sort_unstable_by(|a, b| {
-            let by_time = a.time.total_cmp(&b.time);
-            by_time.then(a.found.order.cmp(&b.found.order))
-        });
-        self.spare.clear();
+        sort_late(late);
+        sorted.clear();
+        sorted.reserve(keys.len());
         let at_start = keys.iter().filter(|found| found.is(Found::AT_START));
-        self.spare.extend(at_start);
-        self.spare.extend(late.iter().map(|late| late.found));
-        self.gather(sorted);
-        (self.keys, self.late) = (keys, late);
+        let in_order = at_start.chain(late.iter().map(|late| &late.found));
+        sorted.extend(in_order.filter_map(|found| Some(found.told(contact(found)?))));
     }
 
     /// Sorts the keys by slots.
@@ -186,11 +269,11 @@ impl Findings {
             return;
         };
         if 4 * (keys.len() - end) > keys.len() {
-            sort_by_slots((keys, &mut self.spare), |found| found.order);
+            sort_by_slots((keys, &mut self.spare), Found::order);
             return;
         }
         let (kept, new) = keys.split_at_mut(end);
-        new.sort_unstable_by_key(|found| found.order);
+        new.sort_unstable_by_key(Found::order);
         self.spare.clear();
         let mut kept = kept.iter().peekable();
         for found in new {
@@ -203,40 +286,32 @@ impl Findings {
         std::mem::swap(&mut self.keys, &mut self.spare);
     }
 
-    /// The contacts in the order in which their keys lie in the spare room.
-    fn gather(&self, sorted: &mut Vec<Contact>) {
-        #[cfg(feature = "parallel")]
-        if self.spare.len() > 2 * GATHERED && rayon::current_num_threads() > 1 {
-            use rayon::prelude::*;
-            let found = self.spare.par_iter().with_min_len(GATHERED);
-            let contact = |found: &Found| self.list(found.part())[found.index as usize];
-            found.map(contact).collect_into_vec(sorted);
-            return;
-        }
-        sorted.clear();
-        sorted.reserve(self.spare.len());
-        let found = self.spare.iter();
-        sorted.extend(found.filter_map(|found| self.contact(found).copied()));
-    }
-
     /// The pairs with a contact at `until` or before, in fractions of the frame,
     /// and those that rest in touch: into `met`, sorted.
     pub(super) fn met_until(&self, until: f64, met: &mut Vec<PairKey>) {
         met.clear();
         let counts = |found: &&Found| {
             let is_soon = |contact: &Contact| contact.fraction <= until;
-            found.is(Found::AT_START) || until >= 1.0 || self.contact(found).is_some_and(is_soon)
+            let contact = || self.contacts.get(found.index as usize);
+            found.is(Found::AT_START) || until >= 1.0 || contact().is_some_and(is_soon)
         };
-        met.extend(self.keys.iter().filter(counts).map(|found| found.order));
+        met.extend(self.keys.iter().filter(counts).map(Found::order));
+        #[cfg(feature = "parallel")]
+        self.shared.met_until(until, met);
+        if self.resting.is_empty() {
+            return;
+        }
         // Whichever order they are named in.
         let turned = self.resting.iter().map(|pair| pair.rotate_left(32));
         met.extend(self.resting.iter().copied().chain(turned));
-        if !met.is_sorted() {
-            met.sort_unstable();
-        }
+        met.sort_unstable();
+    }
+
+    /// The pairs that touch in the whole frame, as far as they are told, in no particular order.
+    pub(super) fn touches(&self) -> impl Iterator<Item = PairKey> {
+        let touches = self.keys.iter().filter_map(Found::touch);
+        #[cfg(feature = "parallel")]
+        let touches = touches.chain(self.shared.touches());
+        touches
     }
 }
-
-/// So many contacts are worth handing to another thread.
-#[cfg(feature = "parallel")]
-const GATHERED: usize = 1024;

@@ -41,7 +41,6 @@ impl Passed {
     }
 
     /// Adds what became of other pairs, which have been dealt with.
-    #[cfg(feature = "parallel")]
     pub(super) fn append(&mut self, other: &Self) {
         self.count += other.count;
         self.seen += other.seen;
@@ -71,6 +70,22 @@ impl Gate<'_> {
         } else {
             f32::INFINITY
         }
+    }
+
+    /// Whether a pair that has just been found may meet before pairs are found anew, as far as
+    /// it can be told at once.
+    #[inline]
+    pub(super) fn may_come_near(&self, a: &Track, b: &Track, passed: &mut Passed) -> bool {
+        let off = a.keeps_off(b, self.ahead);
+        let meets = a.groups.meets(b.groups);
+        let rejected = &mut passed.rejected;
+        rejected.too_far += u64::from(off.too_far & meets);
+        rejected.moving_away += u64::from(off.moving_away & meets);
+        rejected.passing_by += u64::from(off.passing_by & meets);
+        let is_off = off.too_far | off.moving_away | off.passing_by;
+        passed.seen += usize::from(is_off & meets);
+        passed.dismissed += usize::from(is_off & meets);
+        !is_off & meets
     }
 
     /// When a pair that has just been found may meet for the first time before pairs are found
@@ -124,7 +139,7 @@ impl Gate<'_> {
     }
 
     /// Whether bodies that part in the frame may meet afterwards, by rounding.
-    fn meets_later(&self, a: &Leaf<'_, Track>, b: &Leaf<'_, Track>) -> bool {
+    pub(super) fn meets_later(&self, a: &Leaf<'_, Track>, b: &Leaf<'_, Track>) -> bool {
         let end = self.ahead.time + self.ahead.dt;
         let rest = Span {
             dt: end - self.span.time,

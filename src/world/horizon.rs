@@ -85,7 +85,7 @@ impl Horizon {
     /// Begins another horizon: the time that boxes are to hold for.
     pub(super) fn begin(&mut self, span: Span, bodies: usize, may_last: bool) -> Span {
         let steps = self.steps.max(1) as usize;
-        let is_calm = self.restless <= bodies * steps / 64;
+        let is_calm = self.restless <= bodies * steps / 32;
         if !may_last || !is_calm {
             (self.frames, self.shorter) = (1, f64::INFINITY);
         } else if self.frames > 1 && (self.cost > self.shorter || 2 * steps <= self.frames as usize)
@@ -106,7 +106,7 @@ impl Horizon {
         let dt = span.dt * f64::from(self.frames) * (1.0 + 1e-9);
         let dt = if self.frames == 1 { span.dt } else { dt };
         (self.steps, self.restless, self.bodies) = (0, 0, bodies);
-        self.limit = bodies / 16 + 8;
+        self.limit = bodies / 4 + 8;
         self.until = if may_last {
             span.time + dt
         } else {
@@ -119,6 +119,15 @@ impl Horizon {
     /// What was looked ahead to as the present horizon began.
     pub(super) fn ahead(&self) -> Span {
         self.ahead
+    }
+
+    /// What is left of it as a frame begins.
+    pub(super) fn rest(&self, span: Span) -> Span {
+        let end = self.ahead.time + self.ahead.dt;
+        Span {
+            dt: (end - span.time).max(span.dt),
+            ..span
+        }
     }
 
     fn shorten(&mut self) {

@@ -5,7 +5,7 @@
 //! A frame costs time for every moving body and for every pair that comes near each
 //! other; bodies that stand cost nothing. What all frames read of a body is its
 //! track, some hundred bytes, kept in the order of the broad phase; the rest of it is read when
-//! it comes near another. All in all a body takes a little less than a kilobyte,
+//! it comes near another. All in all a body takes some seven hundred bytes,
 //! [`CollisionWorld::memory`] says how much; a million fit in one gigabyte. A frame in which there is no more of anything
 //! than before allocates nothing, on one thread.
 //!
@@ -57,6 +57,8 @@ mod looks;
 mod pair;
 mod portions;
 mod queries;
+#[cfg(feature = "parallel")]
+mod shared;
 mod sifting;
 mod slots;
 mod solver;

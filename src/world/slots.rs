@@ -20,7 +20,9 @@ pub(crate) struct Resident {
     /// Starting points of rays that do not depend on the motion, in its own frame.
     pub(crate) points: Vec<DVec3>,
     /// What it does in the frame at hand, if it is on a path.
-    pub(crate) frame: FrameMotion,
+    ///
+    /// Apart: it is large, and most bodies have none.
+    pub(crate) frame: Option<Box<FrameMotion>>,
 }
 
 /// Bodies by slot, with generations that tell a slot's tenants apart.
@@ -119,7 +121,9 @@ impl Slots {
 
     /// Bytes in use.
     pub(crate) fn memory(&self) -> usize {
+        let on_paths = self.iter().filter(|(_, body)| body.frame.is_some()).count();
         self.residents.capacity() * size_of::<Option<Resident>>()
+            + on_paths * size_of::<FrameMotion>()
             + (self.generations.capacity() + self.vacant.capacity()) * size_of::<u32>()
     }
 }

@@ -38,7 +38,8 @@ pub struct PhaseTimes {
     pub motions: Duration,
     /// The list of pairs brought up to date.
     pub broad_phase: Duration,
-    /// Early-out tests.
+    /// Early-out tests of pairs that have just been found; those of pairs that are kept from frame to
+    /// frame are counted with the examination, which follows at once.
     pub early_outs: Duration,
     /// The examination of pairs.
     pub narrow_phase: Duration,

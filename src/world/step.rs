@@ -7,6 +7,7 @@
 use crate::broad_phase::{BroadPhase, Bvh, FramePairs, PairList, Volume};
 use crate::error::StepError;
 use crate::math::domain;
+use crate::motion::FrameMotion;
 use crate::tolerance::{MAX_COORDINATE, MAX_TIME_STEP, MIN_TIME_STEP};
 use crate::world::finding::Frame;
 use crate::world::findings;
@@ -230,8 +231,17 @@ impl CollisionWorld {
                 return false;
             }
             let (elapsed, duration) = span.of_motion(resident.since);
-            resident.frame = (resident.frame).renewed(resident.body.motion(), elapsed, duration);
-            *track = Track::in_frame(resident, span);
+            let motion = resident.body.motion();
+            let before = match &resident.frame {
+                Some(frame) => **frame,
+                None => FrameMotion::new(motion, 0.0, 1.0),
+            };
+            let frame = before.renewed(motion, elapsed, duration);
+            *track = Track::in_frame(resident, &frame, span);
+            match &mut resident.frame {
+                Some(place) => **place = frame,
+                None => resident.frame = Some(Box::new(frame)),
+            }
             true
         });
     }
@@ -249,8 +259,10 @@ impl CollisionWorld {
     ) {
         let by_boxes = self.config.broad_phase == BroadPhase::Bvh;
         let ahead = if by_boxes && self.horizon.holds(span) {
-            self.bvh.renew(|track| track.swept(span));
-            self.horizon.ahead()
+            let (ahead, rest) = (self.horizon.ahead(), self.horizon.rest(span));
+            self.bvh
+                .renew(|track| track.swept(span), |track| track.swept(rest));
+            ahead
         } else {
             let may_last = by_boxes && self.on_paths.is_empty();
             let ahead = self.horizon.begin(span, self.slots.len(), may_last);
@@ -339,9 +351,13 @@ impl CollisionWorld {
         self.findings.met_until(until, &mut self.met);
         self.touching.clear();
         self.touching.append(&mut self.findings.resting);
-        let touches = self.contacts.iter().filter(|contact| contact.is_touch());
-        self.touching
-            .extend(touches.map(|contact| findings::key(contact.a.slot, contact.b.slot)));
+        if until >= 1.0 {
+            self.touching.extend(self.findings.touches());
+        } else {
+            let touches = self.contacts.iter().filter(|contact| contact.is_touch());
+            let key = |contact: &Contact| findings::key(contact.a.slot, contact.b.slot);
+            self.touching.extend(touches.map(key));
+        }
         self.touching.sort_unstable();
     }
 }

@@ -6,7 +6,7 @@ use crate::motion::FrameMotion;
 use crate::tolerance::{MAX_COORDINATE, TOUCH};
 use crate::world::slots::Resident;
 use crate::world::{Body, Groups};
-use glam::DVec3;
+use glam::{DQuat, DVec3};
 
 /// The frame at hand, in seconds of the world's clock.
 #[derive(Debug, Clone, Copy)]
@@ -54,7 +54,17 @@ pub(super) struct Track {
     pub(super) course: Course,
     /// Whether the body is a ball in straight flight, or at rest: there is no more to it.
     pub(super) is_ball: bool,
+    /// Whether its axes are those of the world, as its motion begins.
+    pub(super) is_unturned: bool,
     pub(super) groups: Groups,
+}
+
+/// Why two bodies cannot touch: at most one is true.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct KeepsOff {
+    pub(super) too_far: bool,
+    pub(super) moving_away: bool,
+    pub(super) passing_by: bool,
 }
 
 /// What is known of a body's motion without looking at it.
@@ -111,6 +121,7 @@ impl Track {
                 _ => Course::Path,
             },
             groups: resident.body.groups,
+            is_unturned: resident.body.orientation == DQuat::IDENTITY,
             is_ball: matches!(resident.body.shape, Shape::Sphere(_))
                 && motion.path().is_none()
                 && !motion.turns(),
@@ -124,13 +135,13 @@ impl Track {
     }
 
     /// The track in one frame of a body whose motion in it has been worked out.
-    pub(super) fn in_frame(resident: &Resident, span: Span) -> Self {
+    pub(super) fn in_frame(resident: &Resident, frame: &FrameMotion, span: Span) -> Self {
         let FrameMotion {
             start,
             displacement,
             deviation,
             ..
-        } = resident.frame;
+        } = *frame;
         let (_, duration) = span.of_motion(span.time);
         let velocity = displacement / duration;
         // A frame too short for the clock lasts no time, in which nobody flies.
@@ -150,6 +161,7 @@ impl Track {
             half: rounded_up(resident.half + growth),
             course: Course::Path,
             is_ball: false,
+            is_unturned: false,
             groups: resident.body.groups,
         }
     }
@@ -206,10 +218,34 @@ impl Track {
         early_out::reject(b - a, motion_a - motion_b, reach)
     }
 
-    /// When two bodies may touch first in any frame of a time ahead, for all that these are
-    /// rounded otherwise: as a share of that time, right to 1e-7; or why they cannot.
+    /// Which early-out tests show that two bodies cannot touch in any frame of a time ahead; what
+    /// [`meets_ahead`](Self::meets_ahead) says, and without a branch, but for pairs that hardly miss.
     #[inline]
-    pub(super) fn meets_ahead(&self, other: &Self, ahead: Span) -> Result<f64, Rejection> {
+    pub(super) fn keeps_off(&self, other: &Self, ahead: Span) -> KeepsOff {
+        let (between, motion, reach) = self.approach(other, ahead);
+        let (closing, square) = (between.dot(motion), motion.length_squared());
+        // The nearest place on the way. No NaN, also of those that do not move relative to each other;
+        // by rounding it is beside the nearest by less than the reach was grown for.
+        let at = closing / square;
+        let at = if at > 0.0 { at.min(1.0) } else { 0.0 };
+        let nearest = (between - at * motion).length_squared();
+        let reach = reach * reach * (1.0 + 1e-9);
+        let is_off = nearest > reach;
+        let far = between.length_squared();
+        let left = far - closing;
+        let is_far = closing >= square || left > 0.0 && left * left > reach * far;
+        KeepsOff {
+            moving_away: is_off & (closing < 0.0),
+            too_far: is_off & (closing >= 0.0) & is_far,
+            passing_by: is_off & (closing >= 0.0) & !is_far,
+        }
+    }
+
+    /// From a body's centre to another's as a time ahead begins, how the first moves relative to the
+    /// other, and how near may count as touching in any frame of it, for all that these are
+    /// rounded otherwise.
+    #[inline]
+    fn approach(&self, other: &Self, ahead: Span) -> (DVec3, DVec3, f64) {
         let ((a, motion_a), (b, motion_b)) = (self.flight(ahead), other.flight(ahead));
         let far = (a.abs().max(b.abs()) + motion_a.abs().max(motion_b.abs())).max_element();
         let begun = self.centre.abs().max(other.centre.abs()).max_element();
@@ -217,7 +253,14 @@ impl Track {
         // What comes as near as this counts as touching.
         let touch = 4.0 * TOUCH * (reach + far);
         let rounding = 64.0 * f64::EPSILON * (far + begun);
-        let (between, motion, reach) = (b - a, motion_a - motion_b, reach + (touch + rounding));
+        (b - a, motion_a - motion_b, reach + (touch + rounding))
+    }
+
+    /// When two bodies may touch first in any frame of a time ahead, for all that these are
+    /// rounded otherwise: as a share of that time, right to 1e-7; or why they cannot.
+    #[inline]
+    pub(super) fn meets_ahead(&self, other: &Self, ahead: Span) -> Result<f64, Rejection> {
+        let (between, motion, reach) = self.approach(other, ahead);
         if let Some(rejection) = early_out::reject(between, motion, reach) {
             return Err(rejection);
         }

@@ -1,6 +1,7 @@
 //! Pairs handed out, and kept for as long as their boxes hold.
 
 use super::Bvh;
+use super::diverted;
 use super::pairs::{Job, across};
 use super::portion::{Listed, Order, Portion};
 use super::tree::{Mobility, Tree};
@@ -51,6 +52,47 @@ impl List {
             self.pairs.copy_within(from..from + left, *kept);
         }
         *kept += left;
+    }
+}
+
+/// A list that is added to, and what of it has been handed out.
+struct Told<'a, T, V> {
+    trees: &'a [Tree<T>],
+    list: &'a mut List,
+    visit: &'a mut V,
+    /// So many have been.
+    count: usize,
+}
+
+impl<'a, T: Copy + Sync, V: FnMut(&mut Portion<'_, T>)> Told<'a, T, V> {
+    /// All that is in the list already has been.
+    fn new(trees: &'a [Tree<T>], list: &'a mut List, visit: &'a mut V) -> Self {
+        Self {
+            trees,
+            count: list.pairs.len(),
+            list,
+            visit,
+        }
+    }
+
+    #[inline]
+    fn push(&mut self, a: u32, b: u32) {
+        self.list.pairs.push(Listed::new(a, b));
+        if self.list.pairs.len() >= self.count + PORTION {
+            self.tell();
+        }
+    }
+
+    /// Hands out what is new; leaves it listed if it is to be kept.
+    fn tell(&mut self) {
+        let new = self.list.pairs.get_mut(self.count..).unwrap_or_default();
+        if !new.is_empty()
+            && let Some(mut portion) = Portion::new(self.trees, self.list.trees, new, true)
+        {
+            (self.visit)(&mut portion);
+            self.count += portion.len();
+        }
+        self.list.pairs.truncate(self.count);
     }
 }
 
@@ -128,6 +170,7 @@ impl<T: Copy + Sync> Bvh<T> {
                 let pairs = list.pairs.get_mut(from..until).unwrap_or_default();
                 let mut left = 0;
                 if let Some(mut portion) = Portion::new(&self.trees, list.trees, pairs, false) {
+                    portion.leave_out_diverted();
                     visit(&mut portion);
                     left = portion.len();
                 }
@@ -136,6 +179,7 @@ impl<T: Copy + Sync> Bvh<T> {
             }
             list.pairs.truncate(kept);
         }
+        self.pairs_of_diverted(&mut visit);
         for a in 0..self.trees.len() {
             for b in a..self.trees.len() {
                 let Some(start) = self.start(a, b) else {
@@ -143,33 +187,34 @@ impl<T: Copy + Sync> Bvh<T> {
                 };
                 let mut list = self.lists.take([a, b]);
                 let trees = &self.trees;
-                let mut told = 0;
-                let mut tell = |pairs: &mut Vec<Listed>| {
-                    let new = pairs.get_mut(told..).unwrap_or_default();
-                    if let Some(mut portion) = Portion::new(trees, [a, b], new, true) {
-                        visit(&mut portion);
-                        told += portion.len();
-                    }
-                    pairs.truncate(told);
-                    told + PORTION
-                };
-                let mut full = PORTION;
-                let mut pair = |a, b| {
-                    list.pairs.push(Listed::new(a, b));
-                    if list.pairs.len() >= full {
-                        full = tell(&mut list.pairs);
-                    }
-                };
+                let mut told = Told::new(trees, &mut list, &mut visit);
+                let mut pair = |a, b| told.push(a, b);
                 let tests = match start.lopsided(trees) {
                     Some((of, false)) => across(of, 0..of[1].leaves.len(), pair),
                     Some((of, true)) => across(of, 0..of[1].leaves.len(), |b, a| pair(a, b)),
                     None => start.run(trees, &mut pair),
                 };
-                tell(&mut list.pairs);
+                told.tell();
                 self.keep(list, tests);
             }
         }
         self.lists_complete();
+    }
+
+    /// Hands out the pairs of settled trees with diverted bodies in them, and lists them.
+    fn pairs_of_diverted(&mut self, visit: &mut impl FnMut(&mut Portion<'_, T>)) {
+        for list in self.lists.kept() {
+            let [a, b] = list.trees;
+            let (Some(tree_a), Some(tree_b)) = (self.trees.get(a), self.trees.get(b)) else {
+                continue;
+            };
+            let of = ([tree_a, tree_b], a == b);
+            let count = diverted::count(of.0, of.1);
+            let mut told = Told::new(&self.trees, list, visit);
+            diverted::search(of, 0..count, |a, b| told.push(a, b));
+            told.tell();
+        }
+        self.forget_diverted();
     }
 
     /// The pairs of settled trees are listed.

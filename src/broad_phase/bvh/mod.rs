@@ -2,6 +2,7 @@
 
 mod block;
 mod bounds;
+mod diverted;
 mod forest;
 mod lists;
 mod moment;

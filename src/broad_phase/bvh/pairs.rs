@@ -204,7 +204,7 @@ pub(super) fn across<T: Copy + Sync>(
 }
 
 /// All leaves below one node whose boxes overlap `bounds`.
-fn below<T>(
+pub(super) fn below<T>(
     tree: &Tree<T>,
     level: usize,
     index: usize,

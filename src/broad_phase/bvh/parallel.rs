@@ -1,6 +1,7 @@
 //! Pairs found by several threads.
 
 use super::Bvh;
+use super::diverted;
 use super::lists::{List, PORTION};
 use super::pairs::{Job, across};
 use super::portion::{Listed, Portion};
@@ -26,6 +27,9 @@ fn told<T: Copy, S: Default>(
     let mut answer = S::default();
     match Portion::new(trees, numbers, pairs, is_new) {
         Some(mut portion) => {
+            if !is_new {
+                portion.leave_out_diverted();
+            }
             visit(&mut portion, &mut answer);
             (answer, portion.len())
         }
@@ -59,6 +63,7 @@ impl<T: Copy + Send + Sync> Bvh<T> {
             }
             list.pairs.truncate(kept);
         }
+        self.diverted_in_parallel(&mut answers, &visit);
         let (mut jobs, mut opened) = (Vec::new(), Vec::new());
         for a in 0..self.trees.len() {
             for b in a..self.trees.len() {
@@ -127,6 +132,39 @@ impl<T: Copy + Send + Sync> Bvh<T> {
         }
         self.lists_complete();
         answers
+    }
+
+    /// The pairs of settled trees with diverted bodies in them.
+    fn diverted_in_parallel<S: Default + Send>(
+        &mut self,
+        answers: &mut Vec<S>,
+        visit: &(impl Fn(&mut Portion<'_, T>, &mut S) + Sync),
+    ) {
+        let trees = &self.trees;
+        for list in self.lists.kept() {
+            let [a, b] = list.trees;
+            let (Some(tree_a), Some(tree_b)) = (trees.get(a), trees.get(b)) else {
+                continue;
+            };
+            let of = ([tree_a, tree_b], a == b);
+            let count = diverted::count(of.0, of.1);
+            let parts: Vec<(S, Vec<Listed>)> = (0..count.div_ceil(LEAVES))
+                .into_par_iter()
+                .map(|part| {
+                    let some = part * LEAVES..count.min((part + 1) * LEAVES);
+                    let mut found = Vec::new();
+                    diverted::search(of, some, |a, b| found.push(Listed::new(a, b)));
+                    let (answer, left) = told((trees, [a, b]), (&mut found, true), visit);
+                    found.truncate(left);
+                    (answer, found)
+                })
+                .collect();
+            for (answer, found) in parts {
+                answers.push(answer);
+                list.pairs.extend_from_slice(&found);
+            }
+        }
+        self.forget_diverted();
     }
 
     /// Adds what several threads have found to a list and to the answers.

@@ -114,6 +114,19 @@ impl<'a, T: Copy> Portion<'a, T> {
         self.len == 0
     }
 
+    /// Leaves out those of bodies that have been diverted since they were found.
+    pub(super) fn leave_out_diverted(&mut self) {
+        let marks = self.trees.map(|tree| &tree.diverted);
+        if marks.iter().all(|marks| marks.is_empty()) {
+            return;
+        }
+        for pair in &mut *self.pairs {
+            if marks[0].has(pair.a) || marks[1].has(pair.b) {
+                pair.wait = f32::INFINITY;
+            }
+        }
+    }
+
     /// Whether they have been found just now, and are not kept from before.
     #[must_use]
     pub fn is_new(&self) -> bool {
@@ -143,19 +156,33 @@ impl<'a, T: Copy> Portion<'a, T> {
     /// answer for; the others wait for the number it answers with: see
     /// [`for_each`](Self::for_each).
     ///
-    /// `touch` reads a little of what is known of a body.
+    /// `touch` reads a little of what is known of a body. `may` is asked first, of pairs in no
+    /// particular order: it leaves most out, and had better not branch, since nobody can
+    /// predict which.
     #[inline]
     pub fn retain(
         &mut self,
         touch: impl Fn(&T) -> f64,
+        mut may: impl FnMut(&T, &T) -> bool,
         mut when: impl FnMut(&Leaf<'a, T>, &Leaf<'a, T>) -> Option<f32>,
     ) {
         let mut kept = 0;
+        let mut left = [0_u32; AHEAD];
         for from in (0..self.len).step_by(AHEAD) {
             let until = self.len.min(from + AHEAD);
             let pairs = self.pairs.get(from..until).unwrap_or_default();
             self.read(pairs.iter(), &touch);
-            for index in from..until {
+            let [a, b] = self.trees.map(|tree| &tree.data);
+            let mut count = 0;
+            for (index, pair) in (from as u32..).zip(pairs) {
+                if let (Some(a), Some(b)) = (a.get(pair.a as usize), b.get(pair.b as usize)) {
+                    // Written in any case, and overwritten if it is left out.
+                    left[count % AHEAD] = index;
+                    count += usize::from(may(a, b));
+                }
+            }
+            for &index in left.get(..count).unwrap_or_default() {
+                let index = index as usize;
                 if let Some(&pair) = self.pairs.get(index)
                     && let Some((a, b)) = self.leaves(&pair)
                     && let Some(wait) = when(&a, &b)

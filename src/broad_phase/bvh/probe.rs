@@ -129,7 +129,7 @@ impl Probe for Place {
 }
 
 /// A node or leaf that is to be looked at.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Default)]
 struct Entry {
     distance: f32,
     /// Levels below the node's own, and its own; zero for a leaf.
@@ -236,12 +236,9 @@ fn search_levels(
     limit: &mut f32,
     mut visit: impl FnMut(u32) -> Option<f32>,
 ) {
-    let root = Entry {
-        distance: 0.0,
-        above: levels.len() as u32,
-        index: 0,
-    };
-    let mut stack = [root; STACK];
+    // Of zeros, which are written by the page.
+    let mut stack = [Entry::default(); STACK];
+    stack[0].above = levels.len() as u32;
     let mut count = 1_usize;
     while let Some(&Entry {
         distance,

@@ -2,7 +2,9 @@
 
 use super::block::{Block, WIDTH};
 use super::bounds::Bounds;
+use super::diverted::Marks;
 use super::order::{self, Item};
+use glam::Vec3;
 
 /// In a leaf whose body has gone.
 pub(super) const NOBODY: u32 = u32::MAX;
@@ -27,6 +29,8 @@ pub(super) struct Tree<T> {
     pub(super) data: Vec<T>,
     /// The lowest first; the last has one node.
     pub(super) levels: Vec<Vec<Block>>,
+    /// Leaves of bodies that have another motion since the last update or renewal.
+    pub(super) diverted: Marks,
     /// Leaves whose bodies have gone.
     pub(super) vacant: usize,
     /// How much surface there was when the leaves were last arranged.
@@ -47,6 +51,7 @@ impl<T: Copy + Sync> Tree<T> {
             leaves: Vec::new(),
             data: Vec::new(),
             levels: Vec::new(),
+            diverted: Marks::default(),
             vacant: 0,
             arranged_surface: 0.0,
             surface: 0.0,
@@ -68,21 +73,57 @@ impl<T: Copy + Sync> Tree<T> {
         }
     }
 
-    /// Makes leaves of `bodies`, arranged, and nodes whose boxes are to be fitted.
-    ///
-    /// Items name bodies by index.
-    pub(super) fn arrange(&mut self, items: &mut [Item], bodies: &[(u32, T)]) {
-        order::arrange(items);
+    /// Forgets all bodies.
+    pub(super) fn clear(&mut self) {
         self.leaves.clear();
         self.data.clear();
-        let arranged = || {
-            items
-                .iter()
-                .filter_map(|&(_, index)| bodies.get(index as usize))
-        };
-        self.leaves.extend(arranged().map(|&(slot, _)| slot));
-        self.data.extend(arranged().map(|&(_, data)| data));
         self.vacant = 0;
+    }
+
+    /// Adds a body, and an item for it with its `middle`, to be arranged.
+    pub(super) fn add(&mut self, (slot, data): (u32, T), middle: Vec3, items: &mut Vec<Item>) {
+        items.push((middle, self.leaves.len() as u32));
+        self.leaves.push(slot);
+        self.data.push(data);
+    }
+
+    /// Leaves out vacant leaves; adds an item for each that is left, to be arranged.
+    pub(super) fn close_gaps(&mut self, items: &mut Vec<Item>) {
+        let mut kept = 0;
+        for leaf in 0..self.leaves.len() {
+            let slot = self.leaves[leaf];
+            if slot != NOBODY {
+                items.push((self.leaf(leaf).middle(), kept as u32));
+                self.leaves[kept] = slot;
+                self.data[kept] = self.data[leaf];
+                kept += 1;
+            }
+        }
+        self.leaves.truncate(kept);
+        self.data.truncate(kept);
+        self.vacant = 0;
+    }
+
+    /// Arranges the bodies by their items, which name them by index, and makes nodes whose boxes
+    /// are to be fitted.
+    pub(super) fn arrange(&mut self, items: &mut [Item]) {
+        order::arrange(items);
+        // Where they are, without a second list of them: each cycle of changes of place in turn.
+        for start in 0..items.len() {
+            let (slot, data) = (self.leaves[start], self.data[start]);
+            let mut hole = start;
+            loop {
+                let from = std::mem::replace(&mut items[hole].1, hole as u32) as usize;
+                if from == start {
+                    break;
+                }
+                self.leaves[hole] = self.leaves[from];
+                self.data[hole] = self.data[from];
+                hole = from;
+            }
+            (self.leaves[hole], self.data[hole]) = (slot, data);
+        }
+        self.diverted.clear(items.len());
         let mut nodes = items.len();
         let mut level = 0;
         loop {
@@ -107,6 +148,18 @@ impl<T: Copy + Sync> Tree<T> {
         self.surface = fit(&mut self.levels, bodies, bounds);
         if self.arranged_surface <= 0.0 {
             self.arranged_surface = self.surface;
+        }
+    }
+
+    /// Gives a leaf another box, and fits those above.
+    pub(super) fn refit(&mut self, leaf: usize, bounds: Bounds) {
+        let (mut index, mut bounds) = (leaf, bounds);
+        for level in &mut self.levels {
+            if let Some(block) = level.get_mut(index / WIDTH) {
+                block.set(index % WIDTH, &bounds);
+                bounds = block.union();
+            }
+            index /= WIDTH;
         }
     }
 
@@ -165,6 +218,7 @@ impl<T: Copy + Sync> Tree<T> {
     pub(super) fn memory(&self) -> usize {
         let blocks: usize = self.levels.iter().map(Vec::capacity).sum();
         blocks * size_of::<Block>()
+            + self.diverted.memory()
             + self.leaves.capacity() * size_of::<u32>()
             + self.data.capacity() * size_of::<T>()
     }

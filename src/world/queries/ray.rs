@@ -3,12 +3,12 @@
 use super::{BodyHit, QueryFilter, nearer, order};
 use crate::broad_phase::{Leaf, View};
 use crate::error::QueryError;
-use crate::geometry::Ray;
+use crate::geometry::{Ray, Sphere};
 use crate::math::domain;
 use crate::raycast::{RayCast, RayHit};
 use crate::tolerance::{MAX_COORDINATE, MAX_LENGTH, MIN_LENGTH};
-use crate::world::CollisionWorld;
-use crate::world::tracks::Track;
+use crate::world::tracks::{Span, Track};
+use crate::world::{BodyId, CollisionWorld};
 use glam::DVec3;
 
 /// A ray that has been checked, and how far it goes, in directions.
@@ -39,6 +39,25 @@ impl Cast {
             ray: Ray { origin, direction },
             length,
             until: reach / length,
+        })
+    }
+
+    /// What is told of a hit, if it is not too far away.
+    fn told(&self, body: BodyId, hit: RayHit) -> Option<BodyHit> {
+        let fraction = hit.fraction();
+        if fraction > self.until {
+            return None;
+        }
+        let surface = match hit {
+            RayHit::Surface(point) => Some(point),
+            RayHit::Inside => None,
+        };
+        Some(BodyHit {
+            body,
+            distance: fraction * self.length,
+            point: self.ray.at(fraction),
+            normal: surface.map(|point| point.normal),
+            feature: surface.map(|point| point.feature),
         })
     }
 }
@@ -156,26 +175,40 @@ impl CollisionWorld {
         cast: &Cast,
         filter: &QueryFilter<'_>,
     ) -> Option<BodyHit> {
+        if leaf.data.is_ball && leaf.data.is_unturned {
+            return self.hit_ball(leaf, cast, filter);
+        }
         // Most end here, without a look at the body itself.
         if leaf.data.is_passed_by(&cast.ray, cast.until, self.time) {
             return None;
         }
         let (id, body, pose) = self.present(leaf.slot, filter)?;
         let hit = body.shape.first_hit_at(&pose, &cast.ray)?;
-        let fraction = hit.fraction();
-        if fraction > cast.until {
+        cast.told(id, hit)
+    }
+
+    /// The same to the bit of a ball in straight flight, from its track alone; of one that is
+    /// turned the rays would have to be turned as well.
+    #[inline]
+    fn hit_ball(
+        &self,
+        leaf: &Leaf<'_, Track>,
+        cast: &Cast,
+        filter: &QueryFilter<'_>,
+    ) -> Option<BodyHit> {
+        if !leaf.data.groups.meets(filter.groups) {
             return None;
         }
-        let surface = match hit {
-            RayHit::Surface(point) => Some(point),
-            RayHit::Inside => None,
-        };
-        Some(BodyHit {
-            body: id,
-            distance: fraction * cast.length,
-            point: cast.ray.at(fraction),
-            normal: surface.map(|point| point.normal),
-            feature: surface.map(|point| point.feature),
-        })
+        let (centre, _) = leaf.data.flight(Span::at(self.time));
+        let ball = Sphere::new(leaf.data.reach).ok()?;
+        let hit = ball.first_hit(&Ray {
+            origin: cast.ray.origin - centre,
+            direction: cast.ray.direction,
+        })?;
+        let id = self.slots.id(leaf.slot);
+        if filter.keep.is_some_and(|keep| !keep(id)) {
+            return None;
+        }
+        cast.told(id, hit)
     }
 }
