@@ -6,6 +6,8 @@
 //! box pushed out by the radius, the first piece that holds a root gives the touch, and
 //! the piece that holds the minimum without one says that there is none. Each piece
 //! is a closest approach in one, two or three of the axes: to a face, an edge, a vertex.
+//!
+//! As a rule the piece is guessed in single precision, and what is found in it proves the guess.
 
 use super::ball_approach::{Approach, normal};
 use super::ball_ball::{NEAR, STEEP, steep_normal};
@@ -66,9 +68,6 @@ const ERROR: f32 = 1.0 / 1_048_576.0;
 /// Squared distance, in shares of the squared size, from beyond which guesses are poor.
 const FAR: f64 = 1e4;
 
-/// Squares of motions with which nothing leaves the range of single precision.
-const MODERATE: std::ops::RangeInclusive<f64> = 1e-12..=1e12;
-
 /// Pieces that are looked at for a guess.
 const STEPS: u32 = 7;
 
@@ -80,13 +79,12 @@ const STEPS: u32 = 7;
 #[inline(always)]
 fn by_guess(line: &Line, half_extents: DVec3, radius: f64) -> Guess {
     let Line {
-        origin,
-        direction,
-        square,
-        ..
+        origin, direction, ..
     } = *line;
     let size = half_extents.max_element() + radius;
-    if !(MODERATE.contains(&square) && origin.length_squared() <= FAR * (size * size)) {
+    // False for NaN too.
+    let near = origin.length_squared() <= FAR * (size * size);
+    if !near {
         return Guess::Unclear;
     }
     let Some((keep, side, feature)) = piece(line, half_extents, radius, size) else {
@@ -140,7 +138,10 @@ fn piece(
     size: f64,
 ) -> Option<(DVec3, DVec3, Feature)> {
     let far = size + line.origin.abs().max_element();
-    let (origin, direction) = (line.origin.as_vec3a(), line.direction.as_vec3a());
+    // A power of two, so that motions of any length are told alike.
+    let exponent = (line.square.to_bits() >> 52) as i64 - 1023;
+    let pace = f64::from_bits(((1023 - (exponent >> 1)) as u64) << 52);
+    let (origin, direction) = (line.origin.as_vec3a(), (pace * line.direction).as_vec3a());
     let (half, ball) = (half_extents.as_vec3a(), radius as f32);
     let mirror = Vec3A::ONE.copysign(direction);
     let (origin, speed) = (mirror * origin, direction.abs());

@@ -8,14 +8,14 @@ use glam::{Quat, Vec3A, Vec3Swizzles};
 
 /// By how much the height of one box above the other may be wrong, in shares of the pair's size.
 ///
-/// A component of the relative rotation is off by 60 u at most, where u is 2⁻²⁴, by an orientation
-/// whose square is off by 16 u included; a reach by 90 u, a height by 110 u, and what moves by less
-/// than 1.8 for a time of less than 1 by another 190 u. All of them together are 390 u; 512 leave room for what is
-/// lost on dividing. In double precision as much as 1e-7 is lost where boxes begin far apart.
-const ERROR: f32 = 1.0 / 32_768.0;
+/// Where u is 2⁻²⁴, a component of the relative rotation is off by 120 u at most: 40 u by rounding, the rest
+/// by orientations not quite of unit length. So a reach is off by 210 u, a height by 230 u, and by as much what
+/// motion adds to it, which is no longer than the pair's size while the spheres around the boxes meet;
+/// with what dividing adds, 680 u. In double precision 1e-7 is lost where boxes begin far apart.
+const ERROR: f32 = 1.0 / 16_384.0;
 
-/// By how much the square of the relative orientation may differ from 1.
-const UNIT: f32 = 1e-6;
+/// By how much the square of the relative orientation may seem to differ from 1: another 15 u are rounding.
+const UNIT: f32 = 3e-7;
 
 /// Slower than this counts as this fast: the difference is next to nothing beside [`ERROR`].
 const FASTEST: f32 = 1e12;
@@ -77,7 +77,7 @@ impl Slabs {
 }
 
 impl Boxes {
-    /// The slab entered last, if the boxes meet. Without divergence; some 250 instructions.
+    /// The slab entered last, if the boxes meet. All fifteen alike, without a branch.
     ///
     /// Source: Gottschalk, Lin & Manocha, *OBBTree* (1996), for the fifteen axes.
     #[inline(always)]
