@@ -6,7 +6,7 @@ use super::ball_cuboid::{of_cuboid, of_near_cuboid, passes_by};
 use super::ball_line::{Line, Touch};
 use super::ball_polytope::of_polytope;
 use super::ball_triangle::of_triangle;
-use crate::geometry::{Cuboid, Shape, Sphere};
+use crate::geometry::{Shape, Sphere};
 use glam::{DMat3, DQuat, DVec3};
 
 /// How a ball that moves straight comes to touch a shape that stands.
@@ -39,37 +39,22 @@ pub fn ball_touch(
     orientation: DQuat,
     motion: DVec3,
 ) -> Option<Touching> {
-    if let Shape::Cuboid(cuboid) = shape {
-        return cuboid_touch(sphere, position, cuboid, orientation, motion);
-    }
     let radius = sphere.radius();
     let world = Line::new(position, motion)?;
     if let Shape::Sphere(other) = shape {
         return world.touching(of_ball(&world, [radius, other.radius()])?);
     }
-    turned(&world, orientation, |line| first(line, shape, radius))
-}
-
-/// [`ball_touch`] of a box.
-///
-/// All in one, as boxes are the quickest of these: calls would send lines and touches through memory.
-#[inline(always)]
-pub(super) fn cuboid_touch(
-    sphere: &Sphere,
-    position: DVec3,
-    cuboid: &Cuboid,
-    orientation: DQuat,
-    motion: DVec3,
-) -> Option<Touching> {
-    let radius = sphere.radius();
-    let world = Line::new(position, motion)?;
-    // In most misses it need not even be known how the box is turned.
-    if passes_by(&world, cuboid, radius) {
-        return None;
+    // All in one for boxes, the quickest of these: calls would send lines and touches through memory.
+    if let Shape::Cuboid(cuboid) = shape {
+        // In most misses it need not even be known how the box is turned.
+        if passes_by(&world, cuboid, radius) {
+            return None;
+        }
+        return turned(&world, orientation, |line| {
+            of_near_cuboid(line, cuboid, radius)
+        });
     }
-    turned(&world, orientation, |line| {
-        of_near_cuboid(line, cuboid, radius)
-    })
+    turned(&world, orientation, |line| first(line, shape, radius))
 }
 
 /// The touch of a shape that is turned.

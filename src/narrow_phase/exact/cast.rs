@@ -1,6 +1,5 @@
 //! Any shape against any other.
 
-use super::ball_touch::cuboid_touch;
 use super::{Crossing, Touching, ball_crossing, ball_touch, flat_crossing, flat_touch, two_balls};
 use crate::geometry::{Pose, Shape};
 use glam::DVec3;
@@ -104,9 +103,6 @@ fn touch_of(
     let motion = DVec3::new(x, y, z);
     let between = pose_a.position - pose_b.position;
     match (a, b) {
-        (Shape::Sphere(ball), Shape::Cuboid(cuboid)) => {
-            cuboid_touch(ball, between, cuboid, pose_b.orientation, motion)
-        }
         (Shape::Sphere(ball), _) => ball_touch(ball, between, b, pose_b.orientation, motion),
         (_, Shape::Sphere(ball)) => {
             let found = ball_touch(ball, -between, a, pose_a.orientation, -motion)?;
