@@ -361,3 +361,55 @@ impl Reach {
         (away.length() <= self.radius + self.slack).then_some(Entry { fraction, away })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Guess, by_guess, with_care};
+    use crate::geometry::Cuboid;
+    use crate::narrow_phase::exact::ball_line::Line;
+    use glam::DVec3;
+
+    /// What a guess is proven to be is what all pieces tell.
+    #[test]
+    fn guesses_are_what_all_pieces_tell() {
+        let mut state = 3_u64;
+        let mut next = || {
+            state = (state.wrapping_mul(6_364_136_223_846_793_005)).wrapping_add(1);
+            (state >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+        };
+        let mut vector = || DVec3::new(next(), next(), next());
+        let (mut touches, mut misses, mut unclear) = (0, 0, 0);
+        for _ in 0..20_000 {
+            let scale = vector();
+            let half = (3.0 * vector()).exp2();
+            let radius = (3.0 * scale.x).exp2();
+            let Ok(cuboid) = Cuboid::new(half) else {
+                panic!("the box has a size");
+            };
+            let size = half.max_element() + radius;
+            let motion = vector() * 10_f64.powf(20.0 * scale.y);
+            let origin = size * (vector() - 3.0 * motion.normalize());
+            let Some(line) = Line::new(origin, motion) else {
+                panic!("the ball moves");
+            };
+            let known = with_care(&line, &cuboid, radius);
+            match (by_guess(&line, half, radius), known) {
+                (Guess::Unclear, _) => unclear += 1,
+                (Guess::Miss, None) => misses += 1,
+                (Guess::Touch(found), Some(known)) => {
+                    touches += 1;
+                    let off = (found.fraction - known.fraction).abs() * line.direction.length();
+                    assert!(off < 1e-12 * size, "{off:e} of {size}");
+                    assert!(found.foot.distance(known.foot) < 1e-12 * size);
+                    assert!(found.normal.distance(known.normal) < 1e-11 * size / radius);
+                    assert!((found.normal.length() - 1.0).abs() < 1e-14);
+                    assert_eq!(found.feature, known.feature);
+                }
+                (Guess::Miss, Some(known)) => panic!("{:?} was missed", known.feature),
+                (Guess::Touch(found), None) => panic!("{:?} of what is missed", found.feature),
+            }
+        }
+        assert!(touches > 4000 && misses > 2000, "{touches} {misses}");
+        assert!(unclear < 1000, "{unclear}");
+    }
+}
