@@ -99,11 +99,16 @@ fn unusual(
 
 /// Share of the way to the closest approach that a path within the radius takes up at least where
 /// rounding cannot put the touch behind the closest approach.
-const STEEP: f64 = 1e-3;
+pub(super) const STEEP: f64 = 1e-3;
 
 /// Out of the second ball, where the path through a radius is `half` long, times `square`.
 #[inline(always)]
-fn steep_normal(direction: DVec3, moment: DVec3, half: f64, radius_square: f64) -> DVec3 {
+pub(super) fn steep_normal(
+    direction: DVec3,
+    moment: DVec3,
+    half: f64,
+    radius_square: f64,
+) -> DVec3 {
     (direction.cross(moment) - half * direction) * (1.0 / radius_square)
 }
 
@@ -111,7 +116,7 @@ fn steep_normal(direction: DVec3, moment: DVec3, half: f64, radius_square: f64) 
 ///
 /// Its square is the sum of both terms' of `room`, less that of `moment · direction` which rounding
 /// leaves: 1e-31 of the squared distance.
-const NEAR: f64 = 1e12;
+pub(super) const NEAR: f64 = 1e12;
 
 /// Two balls of these radii.
 ///

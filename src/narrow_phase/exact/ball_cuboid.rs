@@ -6,11 +6,14 @@
 //! box pushed out by the radius, the first piece that holds a root gives the touch, and
 //! the piece that holds the minimum without one says that there is none. Each piece
 //! is a closest approach in one, two or three of the axes: to a face, an edge, a vertex.
+//!
+//! As a rule the piece is guessed in single precision, and what is found in it proves the guess.
 
 use super::ball_approach::{Approach, normal};
+use super::ball_ball::{NEAR, STEEP, steep_normal};
 use super::ball_line::{Line, Touch};
 use crate::geometry::{Cuboid, Feature};
-use glam::DVec3;
+use glam::{DVec3, Vec3A};
 
 /// Speeds along an axis below this count as none, so that their inverses are finite. The
 /// line's direction is 1e-60 m long at least: no body is so large that it would show.
@@ -24,14 +27,164 @@ struct Entry {
     away: DVec3,
 }
 
-/// At most seven pieces.
+/// One piece as a rule, at most seven.
 #[inline(always)]
 pub(super) fn of_cuboid(line: &Line, cuboid: &Cuboid, radius: f64) -> Option<Touch> {
-    let half_extents = cuboid.half_extents();
-    let slack = line.slack(half_extents.max_element() + radius);
-    if line.passes_by(line.origin, half_extents.length() + radius + 4.0 * slack) {
+    if passes_by(line, cuboid, radius) {
         return None;
     }
+    of_near_cuboid(line, cuboid, radius)
+}
+
+/// Whether the line surely passes by the sphere around the box, however that is turned.
+#[inline(always)]
+pub(super) fn passes_by(line: &Line, cuboid: &Cuboid, radius: f64) -> bool {
+    let half_extents = cuboid.half_extents();
+    let slack = line.slack(half_extents.max_element() + radius);
+    line.passes_by(line.origin, half_extents.length() + radius + 4.0 * slack)
+}
+
+/// [`of_cuboid`] of a line that comes near.
+#[inline(always)]
+pub(super) fn of_near_cuboid(line: &Line, cuboid: &Cuboid, radius: f64) -> Option<Touch> {
+    match by_guess(line, cuboid.half_extents(), radius) {
+        Guess::Touch(touch) => Some(touch),
+        Guess::Miss => None,
+        Guess::Unclear => with_care(line, cuboid, radius),
+    }
+}
+
+/// What a piece that was guessed says.
+enum Guess {
+    Touch(Touch),
+    Miss,
+    Unclear,
+}
+
+/// By how much single precision may be wrong about where the line is, in shares of how far it and the box
+/// reach: twice what rounding the numbers, adding and dividing come to.
+const ERROR: f32 = 1.0 / 1_048_576.0;
+
+/// Squared distance, in shares of the squared size, from beyond which guesses are poor.
+const FAR: f64 = 1e4;
+
+/// Pieces that are looked at for a guess.
+const STEPS: u32 = 7;
+
+/// The piece with the touch or the closest approach is found in single precision, what happens there is worked
+/// out in double, and that this is in the piece proves it: the distance is convex.
+///
+/// There the touch is that of a ball with a point, in cross products as in
+/// [`two_balls`](super::two_balls): one after the other divisions and roots would take longer than all else.
+#[inline(always)]
+fn by_guess(line: &Line, half_extents: DVec3, radius: f64) -> Guess {
+    let Line {
+        origin, direction, ..
+    } = *line;
+    let size = half_extents.max_element() + radius;
+    // False for NaN too.
+    let near = origin.length_squared() <= FAR * (size * size);
+    if !near {
+        return Guess::Unclear;
+    }
+    let Some((keep, side, feature)) = piece(line, half_extents, radius, size) else {
+        return Guess::Miss;
+    };
+    let corner = side * half_extents;
+    let (from, along) = (keep * origin - corner, keep * direction);
+    let square = along.length_squared();
+    let moment = from.cross(along);
+    let (near, closing, off) = (radius * radius, -from.dot(along), moment.length_squared());
+    // Where the line is then along the other axes, and by how much it is in the piece at least.
+    let beside = |fraction: f64| (DVec3::ONE - keep) * (origin + fraction * direction);
+    let inside = |away: DVec3, point: DVec3| {
+        ((away * side - point.abs()) + (half_extents - corner.abs())).min_element()
+    };
+    let room = near * square - off;
+    if room >= 0.0 {
+        let (apart, half) = (from.length_squared() - near, room.sqrt());
+        let plain = apart > 1e-12 * near && apart <= NEAR * near && half > STEEP * closing;
+        let fraction = apart / (closing + half);
+        let normal = steep_normal(along, moment, half, radius * square);
+        let point = beside(fraction);
+        // False for NaN too.
+        let right = plain && closing > 0.0 && inside(radius * normal, point) > 0.0;
+        return if right {
+            Guess::Touch(Touch {
+                fraction,
+                foot: corner + point,
+                normal,
+                feature,
+            })
+        } else {
+            Guess::Unclear
+        };
+    }
+    let fraction = closing / square;
+    let reach = radius + line.slack(size);
+    // What is left is well beyond the rounding of the squares.
+    let misses = off > reach * reach * square * (1.0 + 32.0 * f64::EPSILON)
+        && inside(from + fraction * along, beside(fraction)) > 0.0;
+    if misses { Guess::Miss } else { Guess::Unclear }
+}
+
+/// The piece where the line touches or comes closest, as far as single precision can tell: 1 for each axis
+/// that it sticks out along, the sides that it is on there, and the feature. None if it passes by for certain.
+#[inline(always)]
+fn piece(
+    line: &Line,
+    half_extents: DVec3,
+    radius: f64,
+    size: f64,
+) -> Option<(DVec3, DVec3, Feature)> {
+    let far = size + line.origin.abs().max_element();
+    // A power of two, so that motions of any length are told alike.
+    let exponent = (line.square.to_bits() >> 52) as i64 - 1023;
+    let pace = f64::from_bits(((1023 - (exponent >> 1)) as u64) << 52);
+    let (origin, direction) = (line.origin.as_vec3a(), (pace * line.direction).as_vec3a());
+    let (half, ball) = (half_extents.as_vec3a(), radius as f32);
+    let mirror = Vec3A::ONE.copysign(direction);
+    let (origin, speed) = (mirror * origin, direction.abs());
+    // What is hardly moved along counts as moved along a little.
+    let per_speed = (Vec3A::ONE / speed).min(Vec3A::splat(f32::MAX));
+    let grown = half + Vec3A::splat(ball + ERROR * far as f32);
+    let mut here = ((-grown - origin) * per_speed).max_element();
+    if here > ((grown - origin) * per_speed).min_element() {
+        return None;
+    }
+    let (near, far) = (origin + half, origin - half);
+    let (into, out) = (-near * per_speed, -far * per_speed);
+    let square = ball * ball;
+    let mut steps = 0;
+    loop {
+        // What sticks out from here to the next plane.
+        let now = Vec3A::splat(here);
+        let (before, after) = (now.cmplt(into), now.cmpge(out));
+        let outside = before | after;
+        let from = Vec3A::select(outside, Vec3A::select(before, near, far), Vec3A::ZERO);
+        let along = Vec3A::select(outside, speed, Vec3A::ZERO);
+        let plane = Vec3A::select(before, into, out);
+        let next = Vec3A::select(after, Vec3A::INFINITY, plane).min_element();
+        let there = from + next * along;
+        // Still too far at the next plane, and coming nearer.
+        let later = there.length_squared() > square && there.dot(along) < 0.0;
+        steps += 1;
+        if !later || steps == STEPS {
+            let keep = Vec3A::select(outside, Vec3A::ONE, Vec3A::ZERO);
+            let side = Vec3A::select(before, -mirror, mirror) * keep;
+            let feature = feature(outside.bitmask(), side.cmpgt(Vec3A::ZERO).bitmask());
+            return Some((keep.as_dvec3(), side.as_dvec3(), feature));
+        }
+        here = next;
+    }
+}
+
+/// By all pieces in turn.
+#[cold]
+#[inline(never)]
+fn with_care(line: &Line, cuboid: &Cuboid, radius: f64) -> Option<Touch> {
+    let half_extents = cuboid.half_extents();
+    let slack = line.slack(half_extents.max_element() + radius);
     let mirror = DVec3::ONE.copysign(line.direction);
     let reach = Reach {
         half_extents,
@@ -46,28 +199,42 @@ pub(super) fn of_cuboid(line: &Line, cuboid: &Cuboid, radius: f64) -> Option<Tou
     let plain = away.abs().cmpgt(DVec3::splat(slack));
     let corner = half_extents.copysign(DVec3::select(plain, away, inside));
     let foot = DVec3::select(away.cmpeq(DVec3::ZERO), inside, corner);
+    let outside = away.cmpne(DVec3::ZERO).bitmask();
     Some(Touch {
         fraction: enter.fraction,
         foot,
         normal: normal(away, radius),
-        feature: feature(away, corner),
+        feature: feature(outside, corner.cmpgt(DVec3::ZERO).bitmask()),
     })
 }
 
-/// The feature from which a point sticks out along the axes where `away` is not zero, on the sides of
-/// `corner`.
-fn feature(away: DVec3, corner: DVec3) -> Feature {
-    let [x, y, z] = corner.to_array().map(|side| u32::from(side > 0.0));
-    match away.to_array().map(|out| out != 0.0) {
-        [true, true, true] => Feature::Vertex(x + 2 * y + 4 * z),
-        [false, true, true] => Feature::Edge(y + 2 * z),
-        [true, false, true] => Feature::Edge(4 + x + 2 * z),
-        [true, true, false] => Feature::Edge(8 + x + 2 * y),
-        [_, false, false] => Feature::Face(x),
-        [false, true, false] => Feature::Face(2 + y),
-        [false, false, true] => Feature::Face(4 + z),
-    }
+/// The feature from which a point sticks out along some axes, on the positive sides of some: bits 0 to 2 of
+/// each.
+#[inline(always)]
+fn feature(outside: u32, positive: u32) -> Feature {
+    FEATURES[((outside | positive << 3) & 63) as usize]
 }
+
+/// A table, as no processor foresees which it is.
+const FEATURES: [Feature; 64] = {
+    let mut features = [Feature::Surface; 64];
+    let mut index = 0;
+    while index < 64 {
+        let (x, y, z) = (index >> 3 & 1, index >> 4 & 1, index >> 5 & 1);
+        features[index as usize] = match index & 7 {
+            6 => Feature::Edge(y + 2 * z),
+            5 => Feature::Edge(4 + x + 2 * z),
+            3 => Feature::Edge(8 + x + 2 * y),
+            7 => Feature::Vertex(x + 2 * y + 4 * z),
+            2 => Feature::Face(2 + y),
+            4 => Feature::Face(4 + z),
+            // Of next to no radius, along x.
+            _ => Feature::Face(x),
+        };
+        index += 1;
+    }
+    features
+};
 
 struct Reach {
     half_extents: DVec3,
@@ -192,5 +359,57 @@ impl Reach {
     fn graze(&self, from: DVec3, direction: DVec3, fraction: f64) -> Option<Entry> {
         let away = from + fraction * direction;
         (away.length() <= self.radius + self.slack).then_some(Entry { fraction, away })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Guess, by_guess, with_care};
+    use crate::geometry::Cuboid;
+    use crate::narrow_phase::exact::ball_line::Line;
+    use glam::DVec3;
+
+    /// What a guess is proven to be is what all pieces tell.
+    #[test]
+    fn guesses_are_what_all_pieces_tell() {
+        let mut state = 3_u64;
+        let mut next = || {
+            state = (state.wrapping_mul(6_364_136_223_846_793_005)).wrapping_add(1);
+            (state >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+        };
+        let mut vector = || DVec3::new(next(), next(), next());
+        let (mut touches, mut misses, mut unclear) = (0, 0, 0);
+        for _ in 0..20_000 {
+            let scale = vector();
+            let half = (3.0 * vector()).exp2();
+            let radius = (3.0 * scale.x).exp2();
+            let Ok(cuboid) = Cuboid::new(half) else {
+                panic!("the box has a size");
+            };
+            let size = half.max_element() + radius;
+            let motion = vector() * 10_f64.powf(20.0 * scale.y);
+            let origin = size * (vector() - 3.0 * motion.normalize());
+            let Some(line) = Line::new(origin, motion) else {
+                panic!("the ball moves");
+            };
+            let known = with_care(&line, &cuboid, radius);
+            match (by_guess(&line, half, radius), known) {
+                (Guess::Unclear, _) => unclear += 1,
+                (Guess::Miss, None) => misses += 1,
+                (Guess::Touch(found), Some(known)) => {
+                    touches += 1;
+                    let off = (found.fraction - known.fraction).abs() * line.direction.length();
+                    assert!(off < 1e-12 * size, "{off:e} of {size}");
+                    assert!(found.foot.distance(known.foot) < 1e-12 * size);
+                    assert!(found.normal.distance(known.normal) < 1e-11 * size / radius);
+                    assert!((found.normal.length() - 1.0).abs() < 1e-14);
+                    assert_eq!(found.feature, known.feature);
+                }
+                (Guess::Miss, Some(known)) => panic!("{:?} was missed", known.feature),
+                (Guess::Touch(found), None) => panic!("{:?} of what is missed", found.feature),
+            }
+        }
+        assert!(touches > 4000 && misses > 2000, "{touches} {misses}");
+        assert!(unclear < 1000, "{unclear}");
     }
 }

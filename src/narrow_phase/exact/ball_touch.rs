@@ -2,7 +2,7 @@
 
 use super::Touching;
 use super::ball_ball::of_ball;
-use super::ball_cuboid::of_cuboid;
+use super::ball_cuboid::{of_cuboid, of_near_cuboid, passes_by};
 use super::ball_line::{Line, Touch};
 use super::ball_polytope::of_polytope;
 use super::ball_triangle::of_triangle;
@@ -46,7 +46,13 @@ pub fn ball_touch(
     }
     // All in one for boxes, the quickest of these: calls would send lines and touches through memory.
     if let Shape::Cuboid(cuboid) = shape {
-        return turned(&world, orientation, |line| of_cuboid(line, cuboid, radius));
+        // In most misses it need not even be known how the box is turned.
+        if passes_by(&world, cuboid, radius) {
+            return None;
+        }
+        return turned(&world, orientation, |line| {
+            of_near_cuboid(line, cuboid, radius)
+        });
     }
     turned(&world, orientation, |line| first(line, shape, radius))
 }
