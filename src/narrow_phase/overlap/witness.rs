@@ -4,6 +4,7 @@ use super::hull::{Hull, Vertices};
 use super::pair::Pair;
 use super::{Overlap, Width};
 use crate::geometry::Feature;
+use crate::geometry::sketch::{self, Bits};
 use crate::math::frame::orthonormal;
 use crate::math::short_list::ShortList;
 use glam::{DVec2, DVec3};
@@ -42,6 +43,11 @@ impl Pair<'_> {
             // Most touch with one vertex, which need not be looked for among others.
             ([vertex], _) => flat(&self.a, *vertex),
             (_, [vertex]) => flat(&self.b, *vertex),
+            // Or with an edge each.
+            ([from, to], [other_from, other_to]) => of_segments(
+                [*from, *to].map(|vertex| flat(&self.a, vertex)),
+                [*other_from, *other_to].map(|vertex| flat(&self.b, vertex)),
+            ),
             _ => middle(
                 &corners(&self.a, &vertices_a),
                 &corners(&self.b, &vertices_b),
@@ -70,31 +76,41 @@ fn feature(hull: &Hull, direction: DVec3) -> (Feature, Vertices) {
         let vertex = vertices.first().copied().unwrap_or(0);
         return (Feature::Vertex(vertex), vertices);
     }
-    let mut first = None;
-    let mut best: Option<(f64, u32)> = None;
-    let mut is_face = false;
-    let mut see = |index: u32, faces: [u32; 2]| {
-        is_face = first.is_some();
-        first = first.or(Some(index));
-        for face in faces {
-            let along = hull.face_normal(face).dot(direction);
-            // Of equals the one of the lower number.
-            let order = |&(most, other): &(f64, u32)| along.total_cmp(&most).then(other.cmp(&face));
-            if best.as_ref().is_none_or(|best| order(best).is_gt()) {
-                best = Some((along, face));
-            }
-        }
-    };
     // A bit for each of the first vertices; the others are looked for.
     let bit = |vertex: u32| 1_u64.checked_shl(vertex).unwrap_or(0);
     let first_ones = vertices.iter().fold(0, |bits, &vertex| bits | bit(vertex));
+    let mut first = None;
+    let mut is_face = false;
+    let mut faces = Foremost {
+        direction,
+        best: None,
+    };
     if let Some(sketch) = hull.sketch() {
         let is_inside = |vertex: u8| first_ones >> (vertex & 63) & 1 == 1;
+        let (mut beside, mut between): (Bits, Bits) = (0, 0);
         for (index, edge) in (0..).zip(sketch.joints()) {
             let [from, to] = edge.vertices;
             if is_inside(from) & is_inside(to) {
-                see(index, edge.faces.map(u32::from));
+                is_face = first.is_some();
+                first = first.or(Some(index));
+                for face in edge.faces {
+                    let bit = 1 << (u32::from(face) % Bits::BITS);
+                    between |= beside & bit;
+                    beside |= bit;
+                }
             }
+        }
+        // That of which two edges lie in the feature need not be compared with others, and no
+        // normal be fetched; nor if there is but one edge.
+        let candidates = match (is_face, between.is_power_of_two()) {
+            (false, _) => 0,
+            (true, true) => between,
+            (true, false) => beside,
+        };
+        if candidates.is_power_of_two() {
+            faces.best = Some((1.0, candidates.trailing_zeros()));
+        } else {
+            sketch::numbers(candidates).for_each(|face| faces.see(hull, face));
         }
     } else {
         let is_inside = |vertex: u32| match bit(vertex) {
@@ -103,16 +119,35 @@ fn feature(hull: &Hull, direction: DVec3) -> (Feature, Vertices) {
         };
         for (index, edge) in (0..).zip(hull.edges()) {
             if edge.vertices.iter().all(|&vertex| is_inside(vertex)) {
-                see(index, edge.faces);
+                is_face = first.is_some();
+                first = first.or(Some(index));
+                edge.faces.iter().for_each(|&face| faces.see(hull, face));
             }
         }
     }
-    let feature = match (first, best) {
+    let feature = match (first, faces.best) {
         (Some(_), Some((_, face))) if is_face => Feature::Face(face),
         (Some(edge), _) => Feature::Edge(edge),
         (None, _) => Feature::Vertex(vertices.first().copied().unwrap_or(0)),
     };
     (feature, vertices)
+}
+
+/// Of the faces shown to it the one that looks most along a direction.
+struct Foremost {
+    direction: DVec3,
+    best: Option<(f64, u32)>,
+}
+
+impl Foremost {
+    fn see(&mut self, hull: &Hull, face: u32) {
+        let along = hull.face_normal(face).dot(self.direction);
+        // Of equals the one of the lower number.
+        let order = |&(most, other): &(f64, u32)| along.total_cmp(&most).then(other.cmp(&face));
+        if self.best.as_ref().is_none_or(|best| order(best).is_gt()) {
+            self.best = Some((along, face));
+        }
+    }
 }
 
 /// The corners of a convex polygon in counter-clockwise order.
