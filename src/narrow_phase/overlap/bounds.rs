@@ -19,6 +19,9 @@ const COLUMNS: usize = 6;
 /// last bit counts one.
 const CODE: f32 = 8_388_608.0;
 
+/// Those bits.
+const BITS: Bits = (1 << COLUMNS) - 1;
+
 /// For each lane what makes four infinite there and nowhere else.
 const CLOSED: [Vec4; 4] = {
     let (open, shut) = (f32::NEG_INFINITY, f32::INFINITY);
@@ -277,9 +280,82 @@ impl<const FOURS: usize> Bounds<FOURS> {
             let [left, right] = faces.map(code);
             // Written in any case, and overwritten if it is too wide: no branch.
             room[count % ROOM] = number;
-            count += usize::from(left & right & (1 << COLUMNS) - 1 == 0);
+            count += usize::from(left & right & BITS == 0);
             number += 1;
         });
         room.get(..count).unwrap_or_default()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::sketch::single;
+    use crate::geometry::{Polytope, Pose, Shape};
+    use crate::narrow_phase::overlap::pair::Pair;
+    use glam::DVec3;
+
+    /// Points on a spiral around an ellipsoid.
+    fn hull(count: u32, squeeze: DVec3) -> Shape {
+        let points = (0..count).map(|index| {
+            let z = f64::from(2 * index + 1) / f64::from(count) - 1.0;
+            let (y, x) = (2.4 * f64::from(index)).sin_cos();
+            squeeze * ((1.0 - z * z).sqrt() * DVec3::new(x, y, 0.0) + z * DVec3::Z)
+        });
+        Polytope::from_points(points).unwrap().into()
+    }
+
+    #[test]
+    fn what_is_left_out_is_wider_than_the_limit() {
+        const ROWS: usize = Sketch::VERTICES / 4;
+        const FOURS: usize = Sketch::FACES / 4;
+        const ERROR: f64 = 1e-5;
+        let (mut measured, mut faces, mut left, mut edges) = (0, 0, 0, 0);
+        for step in 0..300 {
+            let squeeze = DVec3::new(1.0, 0.7, if step % 3 == 0 { 0.1 } else { 0.9 });
+            let (a, b) = (
+                hull(4 + step % 13, DVec3::ONE),
+                hull(16 - step % 9, squeeze),
+            );
+            let step = f64::from(step);
+            let place = 0.8 * DVec3::new((0.7 * step).sin(), (1.1 * step).cos(), step.sin());
+            let pair = Pair::new(&a, &Pose::at(place), &b, &Pose::IDENTITY, 1e-12).unwrap();
+            let around: [Lanes; ROWS] =
+                vertices(&pair.a, |row| row.map(|all| Vec4::splat(-1.0) * all));
+            let offset = single(pair.offset);
+            let mut bounds = Bounds::<FOURS>::new(&pair.b, |row| row, offset, &around, 0);
+            let mut limit = f32::INFINITY;
+            let mut seen = Vec::new();
+            while let Some(Measured { face, width }) = bounds.measure(limit, &around) {
+                let exact = pair.width(pair.b.face_normal(face)).width;
+                assert!((f64::from(width) - exact).abs() < ERROR, "{step}");
+                limit = limit.min(width);
+                seen.push(face);
+            }
+            let limit_told = f64::from(limit);
+            for face in (0..pair.b.face_count()).filter(|face| !seen.contains(face)) {
+                let exact = pair.width(pair.b.face_normal(face)).width;
+                assert!(exact > limit_told - ERROR, "{step}");
+            }
+            let mut room = [0; ROOM];
+            let kept = bounds.edges(&pair.b, limit, &mut room);
+            for (number, edge) in (0_u8..).zip(pair.b.edges()) {
+                let [one, next] = edge.faces.map(|face| pair.b.face_normal(face));
+                let mut along = (0..=16).map(|share| one.lerp(next, f64::from(share) / 16.0));
+                let is_wide =
+                    along.all(|normal| pair.width(normal.normalize()).width > limit_told - ERROR);
+                assert!(is_wide || kept.contains(&number), "{step}");
+            }
+            measured += seen.len();
+            faces += pair.b.face_count() as usize;
+            left += kept.len();
+            edges += pair.b.edges().len();
+        }
+        // Enough are left out, and enough are not.
+        assert!(
+            (faces / 20..faces / 2).contains(&measured),
+            "{measured} of {faces}"
+        );
+        assert!((edges / 20..edges / 2).contains(&left), "{left} of {edges}");
     }
 }
