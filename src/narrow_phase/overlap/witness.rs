@@ -16,6 +16,10 @@ use glam::{DVec2, DVec3};
 /// turned by a hair from a face is taken for part of it.
 const FEATURE: f64 = 1e-11;
 
+/// How far a triangle's normal may fall short of the direction for the triangle to be taken for the feature
+/// unseen its neighbours: larger than rounding, and next to nothing beside what a sliver's may be off by.
+const ALONG: f64 = 1e-12;
+
 /// Corners of a flat convex feature; more than these few go to the heap.
 pub(in crate::narrow_phase) type Polygon = ShortList<DVec2, 32>;
 
@@ -87,7 +91,8 @@ fn feature(hull: &Hull, direction: DVec3) -> (Feature, Vertices) {
     };
     if let Some(sketch) = hull.sketch() {
         let is_inside = |vertex: u8| first_ones >> (vertex & 63) & 1 == 1;
-        let (mut beside, mut between): (Bits, Bits) = (0, 0);
+        // The faces beside one, two or three of the feature's edges.
+        let (mut once, mut twice, mut thrice): (Bits, Bits, Bits) = (0, 0, 0);
         for (index, edge) in (0..).zip(sketch.joints()) {
             let [from, to] = edge.vertices;
             if is_inside(from) & is_inside(to) {
@@ -95,22 +100,21 @@ fn feature(hull: &Hull, direction: DVec3) -> (Feature, Vertices) {
                 first = first.or(Some(index));
                 for face in edge.faces {
                     let bit = 1 << (u32::from(face) % Bits::BITS);
-                    between |= beside & bit;
-                    beside |= bit;
+                    thrice |= twice & bit;
+                    twice |= once & bit;
+                    once |= bit;
                 }
             }
         }
-        // That of which two edges lie in the feature need not be compared with others, and no
-        // normal be fetched; nor if there is but one edge.
-        let candidates = match (is_face, between.is_power_of_two()) {
-            (false, _) => 0,
-            (true, true) => between,
-            (true, false) => beside,
-        };
-        if candidates.is_power_of_two() {
-            faces.best = Some((1.0, candidates.trailing_zeros()));
-        } else {
-            sketch::numbers(candidates).for_each(|face| faces.see(hull, face));
+        if is_face {
+            // A triangle that is the feature need not be compared with its neighbours, whose normals
+            // would have to be fetched.
+            if vertices.len() == 3 && thrice.is_power_of_two() {
+                faces.see(hull, thrice.trailing_zeros());
+            }
+            if faces.best.is_none_or(|(along, _)| along < 1.0 - ALONG) {
+                sketch::numbers(once).for_each(|face| faces.see(hull, face));
+            }
         }
     } else {
         let is_inside = |vertex: u32| match bit(vertex) {
