@@ -199,11 +199,9 @@ impl Sketch {
     /// What the edges join, in the order of their numbers.
     #[inline]
     pub(crate) fn joints(&self) -> impl Iterator<Item = Joint> {
-        let edges = self.edges().as_flattened().iter();
-        edges
-            .take(usize::from(self.edges))
-            .copied()
-            .map(Joint::from_word)
+        let edges = self.edges().as_flattened().get(..usize::from(self.edges));
+        let edges = edges.unwrap_or_default().iter();
+        edges.copied().map(Joint::from_word)
     }
 
     /// What an edge joins.

@@ -8,6 +8,7 @@
 //! least width over all directions.
 
 mod apart;
+mod bounds;
 mod boxes;
 mod enclose;
 mod expand;

@@ -4,6 +4,7 @@ use super::hull::{Hull, Vertices};
 use super::pair::Pair;
 use super::{Overlap, Width};
 use crate::geometry::Feature;
+use crate::geometry::sketch::{self, Bits};
 use crate::math::frame::orthonormal;
 use crate::math::short_list::ShortList;
 use glam::{DVec2, DVec3};
@@ -14,6 +15,10 @@ use glam::{DVec2, DVec3};
 /// leaves room for shapes whose own numbers were rounded. Larger, and an edge
 /// turned by a hair from a face is taken for part of it.
 const FEATURE: f64 = 1e-11;
+
+/// How far a triangle's normal may fall short of the direction for the triangle to be taken for the feature
+/// unseen its neighbours: larger than rounding, and next to nothing beside what a sliver's may be off by.
+const ALONG: f64 = 1e-12;
 
 /// Corners of a flat convex feature; more than these few go to the heap.
 pub(in crate::narrow_phase) type Polygon = ShortList<DVec2, 32>;
@@ -42,6 +47,11 @@ impl Pair<'_> {
             // Most touch with one vertex, which need not be looked for among others.
             ([vertex], _) => flat(&self.a, *vertex),
             (_, [vertex]) => flat(&self.b, *vertex),
+            // Or with an edge each.
+            ([from, to], [other_from, other_to]) => of_segments(
+                [*from, *to].map(|vertex| flat(&self.a, vertex)),
+                [*other_from, *other_to].map(|vertex| flat(&self.b, vertex)),
+            ),
             _ => middle(
                 &corners(&self.a, &vertices_a),
                 &corners(&self.b, &vertices_b),
@@ -70,30 +80,40 @@ fn feature(hull: &Hull, direction: DVec3) -> (Feature, Vertices) {
         let vertex = vertices.first().copied().unwrap_or(0);
         return (Feature::Vertex(vertex), vertices);
     }
-    let mut first = None;
-    let mut best: Option<(f64, u32)> = None;
-    let mut is_face = false;
-    let mut see = |index: u32, faces: [u32; 2]| {
-        is_face = first.is_some();
-        first = first.or(Some(index));
-        for face in faces {
-            let along = hull.face_normal(face).dot(direction);
-            // Of equals the one of the lower number.
-            let order = |&(most, other): &(f64, u32)| along.total_cmp(&most).then(other.cmp(&face));
-            if best.as_ref().is_none_or(|best| order(best).is_gt()) {
-                best = Some((along, face));
-            }
-        }
-    };
     // A bit for each of the first vertices; the others are looked for.
     let bit = |vertex: u32| 1_u64.checked_shl(vertex).unwrap_or(0);
     let first_ones = vertices.iter().fold(0, |bits, &vertex| bits | bit(vertex));
+    let mut first = None;
+    let mut is_face = false;
+    let mut faces = Foremost {
+        direction,
+        best: None,
+    };
     if let Some(sketch) = hull.sketch() {
         let is_inside = |vertex: u8| first_ones >> (vertex & 63) & 1 == 1;
+        // The faces beside one, two or three of the feature's edges.
+        let (mut once, mut twice, mut thrice): (Bits, Bits, Bits) = (0, 0, 0);
         for (index, edge) in (0..).zip(sketch.joints()) {
             let [from, to] = edge.vertices;
             if is_inside(from) & is_inside(to) {
-                see(index, edge.faces.map(u32::from));
+                is_face = first.is_some();
+                first = first.or(Some(index));
+                for face in edge.faces {
+                    let bit = 1 << (u32::from(face) % Bits::BITS);
+                    thrice |= twice & bit;
+                    twice |= once & bit;
+                    once |= bit;
+                }
+            }
+        }
+        if is_face {
+            // A triangle that is the feature need not be compared with its neighbours, whose normals
+            // would have to be fetched.
+            if vertices.len() == 3 && thrice.is_power_of_two() {
+                faces.see(hull, thrice.trailing_zeros());
+            }
+            if faces.best.is_none_or(|(along, _)| along < 1.0 - ALONG) {
+                sketch::numbers(once).for_each(|face| faces.see(hull, face));
             }
         }
     } else {
@@ -103,16 +123,35 @@ fn feature(hull: &Hull, direction: DVec3) -> (Feature, Vertices) {
         };
         for (index, edge) in (0..).zip(hull.edges()) {
             if edge.vertices.iter().all(|&vertex| is_inside(vertex)) {
-                see(index, edge.faces);
+                is_face = first.is_some();
+                first = first.or(Some(index));
+                edge.faces.iter().for_each(|&face| faces.see(hull, face));
             }
         }
     }
-    let feature = match (first, best) {
+    let feature = match (first, faces.best) {
         (Some(_), Some((_, face))) if is_face => Feature::Face(face),
         (Some(edge), _) => Feature::Edge(edge),
         (None, _) => Feature::Vertex(vertices.first().copied().unwrap_or(0)),
     };
     (feature, vertices)
+}
+
+/// Of the faces shown to it the one that looks most along a direction.
+struct Foremost {
+    direction: DVec3,
+    best: Option<(f64, u32)>,
+}
+
+impl Foremost {
+    fn see(&mut self, hull: &Hull, face: u32) {
+        let along = hull.face_normal(face).dot(self.direction);
+        // Of equals the one of the lower number.
+        let order = |&(most, other): &(f64, u32)| along.total_cmp(&most).then(other.cmp(&face));
+        if self.best.as_ref().is_none_or(|best| order(best).is_gt()) {
+            self.best = Some((along, face));
+        }
+    }
 }
 
 /// The corners of a convex polygon in counter-clockwise order.
