@@ -68,7 +68,6 @@ mod tests {
 
     #[test]
     fn bodies_are_where_their_flight_says() {
-        let cuboid = Cuboid::new([1.0, 0.5, 0.2]);
         for case in 0..300 {
             let at = |step: f64| DVec3::new(step.sin(), (1.3 * step).cos(), (0.7 * step).sin());
             let step = f64::from(case);
@@ -79,7 +78,7 @@ mod tests {
             };
             let motion = Motion::free(9.0 * at(step), at(2.0 * step))
                 .and_then(|motion| motion.spin_about(point, at(3.0 * step), 0.3 * step));
-            let (Ok(cuboid), Ok(motion)) = (cuboid, motion) else {
+            let (Ok(cuboid), Ok(motion)) = (Cuboid::new([1.0, 0.5, 0.2]), motion) else {
                 panic!("{case}: both are fine");
             };
             let shape = Shape::from(cuboid);
