@@ -1,7 +1,7 @@
 //! The first touch of two bodies on curves and in rotation.
 
 use super::Touching;
-use super::flight::Flight;
+use super::flight::{Flight, Instant};
 use super::gliding::{Glide, glide};
 use super::meeting::{Meeting, meet, strike};
 use super::nearness::{Nearness, passes_by};
@@ -9,9 +9,10 @@ use super::parting::Parted;
 use super::passages::{FLIP, Passages, Rates};
 use super::planes::{Nearest, Place, Planes, TurningBall, TurningBoxes};
 use super::revolved::{self, Patience};
-use super::window::{Parabola, Plane, Side, Window};
+use super::turner::Turner;
+use super::window::{Plane, Side, Window};
 use crate::geometry::Shape;
-use crate::motion::Stretch;
+use crate::motion::{Course, Stretch};
 use crate::narrow_phase::distance::closest_points;
 use crate::narrow_phase::overlap::overlap;
 use glam::DVec3;
@@ -57,6 +58,9 @@ const FAR: f64 = 0.05;
 
 /// Sine of the angle to the surface below which a motion slides along it.
 const SLIDE: f64 = 1e-7;
+
+/// Share of a gap that what closes it now must close of it while it is proven open, for a leap to be tried.
+const TIGHT: f64 = 0.87;
 
 /// Share of the bodies' own speeds below which they move alike.
 const ALIKE: f64 = 1e-12;
@@ -132,12 +136,18 @@ fn search<P: Planes>(
             a.frame.stretch_at(a.motion, time),
             b.frame.stretch_at(b.motion, time),
         ],
+        turners: if P::DECIDES {
+            [None, None]
+        } else {
+            [Turner::of(a), Turner::of(b)]
+        },
         touch,
         time,
         longest: 1.0,
         patience: Patience::NEW,
         allowance: if P::DECIDES { STEPS } else { QUICK_STEPS },
         sliding: false,
+        leap_below: f64::INFINITY,
     };
     let mut used = 0;
     let found = loop {
@@ -153,25 +163,53 @@ fn search<P: Planes>(
     found
 }
 
-struct Search<'f, 'a, P> {
-    a: &'f Flight<'a>,
-    b: &'f Flight<'a>,
-    planes: P,
-    stretches: [Stretch<'a>; 2],
-    touch: Nearness,
+pub(super) struct Search<'f, 'a, P> {
+    pub(super) a: &'f Flight<'a>,
+    pub(super) b: &'f Flight<'a>,
+    pub(super) planes: P,
+    pub(super) stretches: [Stretch<'a>; 2],
+    /// Not of a spin where the planes ask for orientations.
+    turners: [Option<Turner>; 2],
+    pub(super) touch: Nearness,
     /// The bodies are proven apart until then.
-    time: f64,
+    pub(super) time: f64,
     /// The longest window worth looking at.
     longest: f64,
     patience: Patience,
     allowance: u32,
     /// Whether they were in touch at the last step.
     sliding: bool,
+    /// Gaps above this are not leapt over: it was tried not long ago.
+    pub(super) leap_below: f64,
 }
 
 impl<'a, P: Planes> Search<'_, 'a, P> {
     fn reach(&self) -> f64 {
         self.a.reach + self.b.reach
+    }
+
+    /// Where a motion has carried a body, on the stretch at hand.
+    #[inline]
+    pub(super) fn carried_at(&self, side: usize, time: f64) -> DVec3 {
+        let (flight, stretch) = ([self.a, self.b][side], &self.stretches[side]);
+        match stretch.course {
+            Course::Straight(velocity) if stretch.from <= 0.0 => {
+                flight.frame.start + (time * flight.frame.seconds()) * velocity
+            }
+            Course::Rest if stretch.from <= 0.0 => flight.frame.start,
+            _ => flight.carried_at(time),
+        }
+    }
+
+    /// A body that its motion has carried to `carried` by then. Unless the planes ask for it, its orientation is not
+    /// told but by the rotation.
+    #[inline]
+    pub(super) fn at(&self, side: usize, time: f64, carried: DVec3) -> Instant<'a> {
+        let flight = [self.a, self.b][side];
+        match &self.turners[side] {
+            Some(turner) => turner.at(flight, time, carried),
+            None => flight.at(time, carried),
+        }
     }
 
     /// Metres below which they touch.
@@ -194,7 +232,7 @@ impl<'a, P: Planes> Search<'_, 'a, P> {
                 self.allowance = self.allowance.saturating_add(STEPS_PER_STRETCH);
             }
         }
-        let (at_a, at_b) = (self.a.carried_at(self.time), self.b.carried_at(self.time));
+        let (at_a, at_b) = (self.carried_at(0, self.time), self.carried_at(1, self.time));
         let offset = (at_a - at_b) + (self.a.hub_shift() - self.b.hub_shift());
         let distance = offset.length();
         let room = distance - self.reach();
@@ -202,8 +240,8 @@ impl<'a, P: Planes> Search<'_, 'a, P> {
             self.approach(offset, distance, room);
             return None;
         }
-        let a = self.a.at(self.time, at_a);
-        let b = self.b.at(self.time, at_b);
+        let a = self.at(0, self.time, at_a);
+        let b = self.at(1, self.time, at_b);
         let between = a.pose.position - b.pose.position;
         let offset = between + (a.hub_offset() - b.hub_offset());
         // What is kept from before is of bodies that do not turn, and even of these only if it was
@@ -311,7 +349,7 @@ impl<'a, P: Planes> Search<'_, 'a, P> {
             distance,
         } = *parted;
         let floor = 0.5 * self.touch();
-        let mut by = self.plane_advance(window, normal, floor);
+        let (mut by, slope) = self.plane_advance(window, normal, floor);
         if by <= 0.0 && !P::DECIDES {
             return Some(Glide::Left(self.time));
         }
@@ -319,7 +357,7 @@ impl<'a, P: Planes> Search<'_, 'a, P> {
             // The plane does not say what the distance does; that of the features may.
             let (a, b) = (&window.a.instant.pose, &window.b.instant.pose);
             if let Some(closest) = closest_points(self.a.shape, a, self.b.shape, b) {
-                by = self.plane_advance(window, closest.normal, floor);
+                (by, _) = self.plane_advance(window, closest.normal, floor);
             }
         }
         let jumps = window.turning.is_infinite() && by <= 0.0;
@@ -336,6 +374,11 @@ impl<'a, P: Planes> Search<'_, 'a, P> {
                 + window.a.fastest(window.length)
                 + window.b.fastest(window.length);
             by = (0.5 * distance / speed).min(window.length);
+        }
+        // Nearly all of the gap closes by then: bounds are tight.
+        let tight = -slope * by > TIGHT * distance;
+        if !P::DECIDES && tight && by < window.length && self.leap(window, distance, slope, by) {
+            return None;
         }
         self.longest = if by < 0.25 * window.length {
             4.0 * by
@@ -390,49 +433,6 @@ impl<'a, P: Planes> Search<'_, 'a, P> {
             self.patience.paid();
             found
         })
-    }
-
-    /// The longest advance of several planes across one normal that turn in different ways.
-    fn plane_advance(&self, window: &Window<'_, '_>, normal: DVec3, floor: f64) -> f64 {
-        let still = Plane {
-            normal,
-            turn: DVec3::ZERO,
-        };
-        let turning = window.a.spin.length() + window.b.spin.length();
-        if turning + window.turning <= 0.0 {
-            return window.clear_for(&still, floor, window.length);
-        }
-        let mut best = 0.0;
-        if turning > 0.0 {
-            let turn = self.planes.turning(window, normal);
-            // Over a longer time bounds of higher order weigh too much.
-            let length = window.length.min(0.5 / turning.max(turn.length()));
-            best = window.clear_for(&Plane { normal, turn }, floor, length);
-            // As a rule that is the longest but where it ends with the window.
-            if best > 0.0 && best < length {
-                return best;
-            }
-        }
-        best = best.max(window.clear_for(&still, floor, window.length));
-        if best < window.length {
-            best = best.max(self.turned_all_round(window, normal, floor));
-        }
-        best
-    }
-
-    /// How long a plane parts the solids of revolution that spinning bodies fill.
-    fn turned_all_round(&self, window: &Window<'_, '_>, normal: DVec3, floor: f64) -> f64 {
-        let heights = self.a.lowest_ever(normal) + self.b.lowest_ever(-normal);
-        let parabola = Parabola {
-            start: normal.dot(window.offset) + heights - window.radii - floor,
-            slope: normal.dot(window.velocity) - window.stray,
-            bend: window.acceleration(normal),
-        };
-        if parabola.start > 0.0 {
-            parabola.root().min(window.length)
-        } else {
-            0.0
-        }
     }
 
     /// What bodies in touch do: at the frame's start they may part or slide, later they have met.

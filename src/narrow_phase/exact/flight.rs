@@ -14,7 +14,7 @@ pub(crate) struct Flight<'a> {
     pub(super) shape: &'a Shape,
     pub(super) motion: &'a Motion,
     pub(super) frame: &'a FrameMotion,
-    orientation: DQuat,
+    pub(super) orientation: DQuat,
     /// The hub in the body's own frame.
     hub: DVec3,
     /// The same along the world's axes, as the motion begins.
@@ -168,6 +168,17 @@ impl<'a> Flight<'a> {
             hub: self.hub,
             rotation: DMat3::from_quat(pose.orientation),
             pose,
+        }
+    }
+
+    /// The body where it is, turned by `rotation`; its pose knows no orientation.
+    #[inline]
+    pub(super) fn turned(&self, rotation: DMat3, position: DVec3) -> Instant<'a> {
+        Instant {
+            shape: self.shape,
+            hub: self.hub,
+            rotation,
+            pose: Pose::at(position),
         }
     }
 

@@ -4,7 +4,7 @@ use super::advance::Encounter;
 use super::cubic::first_root;
 use super::flight::Flight;
 use super::nearness::Nearness;
-use super::parting::{BallAndBox, Balls, Boxes, Hulls, Parted, Parting};
+use super::parting::{AlignedBoxes, BallAndBox, Balls, Boxes, Hulls, Parted, Parting};
 use super::{Touching, aligned, cast};
 use crate::geometry::{Pose, Shape};
 use crate::motion::{Course, Stretch};
@@ -62,6 +62,9 @@ pub(super) fn glide(
             let parting = BallAndBox::new(ball.radius(), cuboid, turned_a, -1.0);
             pair.search(poses, parting, steps)
         }
+        (Shape::Cuboid(of_a), Shape::Cuboid(of_b)) if turned_a == turned_b => {
+            pair.search(poses, AlignedBoxes::new(of_a, of_b, turned_a), steps)
+        }
         (Shape::Cuboid(of_a), Shape::Cuboid(of_b)) => {
             let parting = Boxes::new((of_a, turned_a), (of_b, turned_b));
             pair.search(poses, parting, steps)
@@ -105,8 +108,7 @@ impl<'f, 'a> Pair<'f, 'a> {
     }
 
     #[inline]
-    fn search<P: Parting>(self, poses: [Pose; 2], parting: P, steps: &mut usize) -> Glide {
-        let mut parting = parting;
+    fn search<P: Parting>(self, poses: [Pose; 2], mut parting: P, steps: &mut usize) -> Glide {
         if self.is_parted(&mut parting) {
             *steps += 1;
             return Glide::Found(Encounter::Apart);
@@ -116,7 +118,7 @@ impl<'f, 'a> Pair<'f, 'a> {
             flights: [self.a, self.b],
             turned: poses.map(|pose| pose.orientation),
             stretches: [stretch(self.a), stretch(self.b)],
-            parting,
+            parting: &mut parting,
             touch: self.touch,
             time: 0.0,
             hops: 0,
@@ -137,7 +139,7 @@ pub(super) struct Search<'f, 'a, P> {
     pub(super) flights: [&'f Flight<'a>; 2],
     turned: [DQuat; 2],
     pub(super) stretches: [Stretch<'a>; 2],
-    pub(super) parting: P,
+    pub(super) parting: &'f mut P,
     pub(super) touch: Nearness,
     /// The bodies are proven apart until then.
     pub(super) time: f64,

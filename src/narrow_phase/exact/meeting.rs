@@ -127,7 +127,7 @@ pub(super) fn strike(
     if time <= 0.0 {
         return None;
     }
-    let [pose_a, pose_b] = [window.a.instant.pose, window.b.instant.pose];
+    let [pose_a, pose_b] = [a, b].map(|flight| flight.pose_at(time));
     let between = Pose::new(pose_a.position - pose_b.position, pose_a.orientation);
     let origin = Pose::new(DVec3::ZERO, pose_b.orientation);
     let reach = a.reach + b.reach;

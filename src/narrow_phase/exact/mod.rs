@@ -38,6 +38,7 @@ mod falling;
 mod flat;
 mod flight;
 mod gliding;
+mod leaping;
 mod meeting;
 mod nearness;
 mod normal_cone;
@@ -53,6 +54,7 @@ mod rough;
 mod settle;
 mod slab;
 mod snap;
+mod turner;
 mod turning;
 mod window;
 

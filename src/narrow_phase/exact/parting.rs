@@ -138,18 +138,49 @@ impl Parting for BallAndBox {
     }
 }
 
+/// Two boxes that are turned alike: the widest of the gaps along three axes.
+pub(super) struct AlignedBoxes {
+    /// The sum of their half-extents.
+    size: DVec3,
+    rotation: DMat3,
+}
+
+impl AlignedBoxes {
+    pub(super) fn new(a: &Cuboid, b: &Cuboid, orientation: DQuat) -> Self {
+        Self {
+            size: a.half_extents() + b.half_extents(),
+            rotation: DMat3::from_quat(orientation),
+        }
+    }
+}
+
+impl Parting for AlignedBoxes {
+    #[inline]
+    fn part(&mut self, between: DVec3) -> Option<Parted> {
+        let local = self.rotation.transpose() * between;
+        let gaps = local.abs() - self.size;
+        let (mut gap, mut height, mut axis) = (gaps.x, local.x, self.rotation.x_axis);
+        if gaps.y > gap {
+            (gap, height, axis) = (gaps.y, local.y, self.rotation.y_axis);
+        }
+        if gaps.z > gap {
+            (gap, height, axis) = (gaps.z, local.z, self.rotation.z_axis);
+        }
+        gap.is_finite().then(|| Parted {
+            normal: if height < 0.0 { -axis } else { axis },
+            gap,
+            distance: gap,
+        })
+    }
+}
+
 /// Two boxes: the widest of the gaps along fifteen axes. Where two boxes are apart one of them is.
 pub(super) struct Boxes {
     x: [f64; LANES],
     y: [f64; LANES],
     z: [f64; LANES],
     reach: [f64; LANES],
-    /// Whether both are turned alike, and three axes do.
-    aligned: bool,
 }
-
-/// Of boxes turned alike, the first lanes.
-const FEW: usize = 4;
 
 /// Fifteen axes, and one that repeats another.
 const LANES: usize = 16;
@@ -172,16 +203,7 @@ impl Boxes {
             y: [0.0; LANES],
             z: [0.0; LANES],
             reach: [f64::INFINITY; LANES],
-            aligned: a.1 == b.1,
         };
-        if boxes.aligned {
-            let (size, rotation) = (a.0.half_extents() + b.0.half_extents(), &rotations[0]);
-            for axis in 0..3 {
-                (boxes.x[axis], boxes.y[axis], boxes.z[axis]) = rotation.col(axis).into();
-                boxes.reach[axis] = size[axis];
-            }
-            return boxes;
-        }
         let [of_a, of_b] = rotations.map(|r| [r.x_axis, r.y_axis, r.z_axis]);
         for axis in 0..3 {
             boxes.put(axis, of_b[axis], &edges);
@@ -209,19 +231,18 @@ impl Boxes {
     }
 }
 
-impl Boxes {
-    /// The widest gap along the first axes.
+impl Parting for Boxes {
     #[inline]
-    fn widest<const COUNT: usize>(&self, between: DVec3) -> Option<Parted> {
-        let mut heights = [0.0; COUNT];
-        let mut gaps = [0.0; COUNT];
-        for lane in 0..COUNT {
+    fn part(&mut self, between: DVec3) -> Option<Parted> {
+        let mut heights = [0.0; LANES];
+        let mut gaps = [0.0; LANES];
+        for lane in 0..LANES {
             heights[lane] =
                 self.x[lane] * between.x + self.y[lane] * between.y + self.z[lane] * between.z;
             gaps[lane] = heights[lane].abs() - self.reach[lane];
         }
         let mut best = 0;
-        for lane in 1..COUNT {
+        for lane in 1..LANES {
             if gaps[lane] > gaps[best] {
                 best = lane;
             }
@@ -233,17 +254,6 @@ impl Boxes {
             gap,
             distance: gap,
         })
-    }
-}
-
-impl Parting for Boxes {
-    #[inline]
-    fn part(&mut self, between: DVec3) -> Option<Parted> {
-        if self.aligned {
-            self.widest::<FEW>(between)
-        } else {
-            self.widest::<LANES>(between)
-        }
     }
 }
 

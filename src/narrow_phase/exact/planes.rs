@@ -20,6 +20,12 @@ pub(super) trait Planes {
     /// nothing tells which way out.
     fn part(&mut self, between: DVec3) -> Option<Parted>;
 
+    /// The plane of the features that the last one was found by, where both are turned anew; none if there is none.
+    fn same(&mut self, a: &Instant<'_>, b: &Instant<'_>, between: DVec3) -> Option<Parted> {
+        self.turn(a, b);
+        self.part(between)
+    }
+
     /// How a plane across `normal` turns with the features that it was found by, in radians per
     /// frame.
     fn turning(&self, window: &Window<'_, '_>, normal: DVec3) -> DVec3;
@@ -132,8 +138,8 @@ impl Planes for TurningBall {
 /// Across what the widest gap of two boxes lies.
 #[derive(Debug, Clone, Copy)]
 enum Axis {
-    A,
-    B,
+    A(usize),
+    B(usize),
     Edges(usize, usize),
 }
 
@@ -152,7 +158,7 @@ impl TurningBoxes {
         Self {
             half: [a.half_extents().to_array(), b.half_extents().to_array()],
             rotations: [DMat3::IDENTITY; 2],
-            axis: Axis::A,
+            axis: Axis::A(0),
         }
     }
 }
@@ -175,12 +181,12 @@ impl Planes for TurningBoxes {
         let turn = (to_a * *of_b).to_cols_array_2d();
         let size = turn.map(|column| column.map(f64::abs));
         let offset = (to_a * between).to_array();
-        let (mut best, mut axis, mut normal) = (f64::NEG_INFINITY, Axis::A, DVec3::X);
+        let (mut best, mut axis, mut normal) = (f64::NEG_INFINITY, Axis::A(0), DVec3::X);
         for i in 0..3 {
             let reach = a[i] + (b[0] * size[0][i] + b[1] * size[1][i] + b[2] * size[2][i]);
             let gap = offset[i].abs() - reach;
             if gap > best {
-                (best, axis) = (gap, Axis::A);
+                (best, axis) = (gap, Axis::A(i));
                 normal = of_a.col(i) * 1.0_f64.copysign(offset[i]);
             }
         }
@@ -190,7 +196,7 @@ impl Planes for TurningBoxes {
             let reach = b[j] + (a[0] * size[j][0] + a[1] * size[j][1] + a[2] * size[j][2]);
             let gap = height.abs() - reach;
             if gap > best {
-                (best, axis) = (gap, Axis::B);
+                (best, axis) = (gap, Axis::B(j));
                 normal = of_b.col(j) * 1.0_f64.copysign(height);
             }
         }
@@ -232,10 +238,33 @@ impl Planes for TurningBoxes {
     }
 
     #[inline]
+    fn same(&mut self, a: &Instant<'_>, b: &Instant<'_>, between: DVec3) -> Option<Parted> {
+        self.turn(a, b);
+        let [of_a, of_b] = &self.rotations;
+        let axis = match self.axis {
+            Axis::A(i) => of_a.col(i),
+            Axis::B(j) => of_b.col(j),
+            Axis::Edges(i, j) => (of_a.col(i).cross(of_b.col(j))).try_normalize()?,
+        };
+        let height = axis.dot(between);
+        let reach = |rotation: &DMat3, half: &[f64; 3]| {
+            half[0] * axis.dot(rotation.x_axis).abs()
+                + half[1] * axis.dot(rotation.y_axis).abs()
+                + half[2] * axis.dot(rotation.z_axis).abs()
+        };
+        let gap = height.abs() - reach(of_a, &self.half[0]) - reach(of_b, &self.half[1]);
+        Some(Parted {
+            normal: axis * 1.0_f64.copysign(height),
+            gap,
+            distance: gap,
+        })
+    }
+
+    #[inline]
     fn turning(&self, window: &Window<'_, '_>, normal: DVec3) -> DVec3 {
         match self.axis {
-            Axis::A => window.a.spin.cross(normal),
-            Axis::B => window.b.spin.cross(normal),
+            Axis::A(_) => window.a.spin.cross(normal),
+            Axis::B(_) => window.b.spin.cross(normal),
             Axis::Edges(i, j) => {
                 let edges = [self.rotations[0].col(i), self.rotations[1].col(j)];
                 across_edges(window, edges, normal)

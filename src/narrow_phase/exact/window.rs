@@ -187,34 +187,39 @@ impl<'a> Window<'_, 'a> {
     /// How long the plane parts the bodies by more than about `floor` for certain, up to `length`, which is
     /// no more than the window's; 0 if it does not.
     pub(super) fn clear_for(&self, plane: &Plane, floor: f64, length: f64) -> f64 {
+        self.clear(plane, floor, length).0
+    }
+
+    /// The same, with how the lowest height changes as the window begins.
+    pub(super) fn clear(&self, plane: &Plane, floor: f64, length: f64) -> (f64, f64) {
         /// Each settles which vertices are lowest; two or three do as a rule.
         const ROUNDS: u32 = 6;
         let outlook = self.across(plane, floor, length);
-        let start = outlook.lowest(0.0).start;
+        let Parabola { start, slope, .. } = outlook.lowest(0.0);
         // Where a body may jump, slopes are infinite, and no plane says anything.
         if start.is_nan() || start <= 0.0 || self.turning.is_infinite() {
-            return 0.0;
+            return (0.0, slope);
         }
         let mut end = length;
         for _ in 0..ROUNDS {
             let parabola = outlook.lowest(end);
             let low = parabola.at(end);
             if low >= -0.25 * floor {
-                return end;
+                return (end, slope);
             }
             // The lowest pair there meets the ground before, and the lowest of all not later.
             let root = parabola.root();
             if !(parabola.start > 0.0 && root < end) {
                 // Concave: above its chord.
-                return end * (start / (start - low));
+                return (end * (start / (start - low)), slope);
             }
             end = root;
         }
         let low = outlook.lowest(end).at(end);
         if low >= 0.0 {
-            end
+            (end, slope)
         } else {
-            end * (start / (start - low))
+            (end * (start / (start - low)), slope)
         }
     }
 
