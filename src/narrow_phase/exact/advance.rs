@@ -366,14 +366,14 @@ impl<'a, P: Planes> Search<'_, 'a, P> {
             by = window.length;
             self.allowance = self.allowance.saturating_add(STEPS_PER_CUSP);
         }
-        if by <= 0.0 {
-            // Nobody is faster than this.
+        if by < ROUNDING {
+            // Nobody is faster than this; beside a cusp accelerations say less.
             let speed = self.a.speed
                 + self.b.speed
                 + window.turning
                 + window.a.fastest(window.length)
                 + window.b.fastest(window.length);
-            by = (0.5 * distance / speed).min(window.length);
+            by = by.max((0.5 * distance / speed).min(window.length));
         }
         // Nearly all of the gap closes by then: bounds are tight.
         let tight = -slope * by > TIGHT * distance;

@@ -134,7 +134,8 @@ impl<'a> Window<'_, 'a> {
     /// Whether a body that faces its way may turn round before the window ends.
     pub(super) fn may_turn_round(&self) -> bool {
         let sway = self.a.sway.most().max(self.b.sway.most());
-        sway * self.length * self.length > 1.0
+        let arm = self.a.arm + self.b.arm;
+        sway * self.length * self.length > 1.0 || self.turning * self.length > arm
     }
 
     /// Heights above `floor` across a plane, for `length` frames.
