@@ -1,8 +1,9 @@
 //! Two boxes that share axes: upright ones, and ones turned alike.
 
 use super::box_body::{Body, Found, edge_at, number};
+use super::box_slabs::{Boxes, Last};
 use super::snap::FEATURE;
-use crate::geometry::Feature;
+use crate::geometry::{Cuboid, Feature};
 use crate::narrow_phase::overlap::witness;
 use glam::{DQuat, DVec2, DVec3};
 
@@ -17,7 +18,7 @@ const SHARED: f64 = 4e-16;
 /// What edges along a shared axis span with others is a face of one of the boxes, or nothing; and what the
 /// others span is the face across the shared axis. So only faces count, and of equal ones B's.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Shared {
+enum Shared {
     None,
     /// The axis of this number of either box, one way.
     Axis(usize),
@@ -27,8 +28,7 @@ pub(super) enum Shared {
 
 impl Shared {
     /// Of boxes of which one is turned like this, as seen from the other.
-    #[cold]
-    pub(super) fn new(turn: DQuat) -> Self {
+    fn new(turn: DQuat) -> Self {
         let parts = DVec3::new(turn.x, turn.y, turn.z).abs();
         let small = parts.cmple(DVec3::splat(SHARED)).bitmask();
         let axis = match small {
@@ -48,7 +48,7 @@ impl Shared {
 
     /// The faces of A that are faces of B, by their places among the slabs.
     #[inline]
-    pub(super) fn twice(self) -> u32 {
+    fn twice(self) -> u32 {
         match self {
             Self::None => 0,
             Self::Axis(axis) => 0b1000 << axis,
@@ -57,19 +57,58 @@ impl Shared {
     }
 }
 
+/// What is plain of two boxes that may share axes.
+pub(super) enum Alike {
+    Touch {
+        found: Found,
+        /// Whether the normal leads out of the second box.
+        by_b: bool,
+    },
+    Miss,
+    Unclear,
+}
+
+/// How two boxes touch that may share axes. Kept apart, so that other boxes do not pay for it.
+#[inline(never)]
+pub(super) fn touch(
+    boxes: &Boxes,
+    [first, second]: [(&Cuboid, &DQuat); 2],
+    offset: DVec3,
+    way: DVec3,
+    steep: f64,
+) -> Alike {
+    let shared = Shared::new(second.1.conjugate() * *first.1);
+    let (of_b, axis) = match boxes.last_face(shared.twice()) {
+        Last::Face { of_b, axis } if shared != Shared::None => (of_b, axis),
+        // Whatever the edges are.
+        Last::Miss => return Alike::Miss,
+        _ => return Alike::Unclear,
+    };
+    let found = if of_b {
+        by_face([second, first], axis, shared, offset, way, steep)
+    } else {
+        by_face([first, second], axis, shared, -offset, -way, steep)
+    };
+    found.map_or(Alike::Unclear, |found| Alike::Touch { found, by_b: of_b })
+}
+
 /// The touch of an edge along a shared axis, or of a face, of the second body with a face of the first.
 ///
 /// The point is the middle of what they share. Arguments are those of `by_face` in
 /// [`box_touch`](super::box_touch).
-#[inline(never)]
-pub(super) fn touch(
-    [of_face, other]: [&Body; 2],
+#[inline]
+fn by_face(
+    boxes: [(&Cuboid, &DQuat); 2],
     axis: usize,
     shared: Shared,
     offset: DVec3,
     way: DVec3,
     steep: f64,
 ) -> Option<Found> {
+    let [of_face, other] = boxes.map(|(cuboid, orientation)| {
+        let half_extents = cuboid.half_extents();
+        Body::new(half_extents, half_extents.length(), orientation)
+    });
     let across = of_face.axes[axis];
     let side = -1.0_f64.copysign(across.dot(way));
     let normal = side * across;

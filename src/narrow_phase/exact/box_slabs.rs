@@ -4,8 +4,7 @@
 //! the bound is left to [`boxes`](super::boxes). What is told of the slab is worked out elsewhere from the numbers
 //! given.
 
-use super::box_shared::Shared;
-use glam::{DQuat, Quat, Vec3A, Vec3Swizzles, Vec4};
+use glam::{Quat, Vec3A, Vec3Swizzles, Vec4};
 
 /// By how much the height of one box above the other may be wrong, in shares of the pair's size.
 ///
@@ -50,6 +49,8 @@ pub(super) enum Last {
         of_b: usize,
     },
     Miss,
+    /// Axes are shared or nearly so: for [`Boxes::last_face`].
+    Alike,
     Unclear,
 }
 
@@ -81,12 +82,11 @@ impl Slabs {
 }
 
 impl Boxes {
-    /// The slab entered last, if the boxes meet, and what axes they share; the exact orientations tell.
-    /// All fifteen alike, without a branch, unless axes are shared.
+    /// The slab entered last, if the boxes meet. All fifteen alike, without a branch, unless axes may be shared.
     ///
     /// Source: Gottschalk, Lin & Manocha, *OBBTree* (1996), for the fifteen axes.
     #[inline(always)]
-    pub(super) fn last(&self, exact_a: &DQuat, exact_b: &DQuat) -> (Last, Shared) {
+    pub(super) fn last(&self) -> Last {
         let Self {
             half_a: a,
             half_b: b,
@@ -99,14 +99,12 @@ impl Boxes {
         // False for NaN too.
         let unit = (turn.length_squared() - 1.0).abs() <= UNIT;
         if !unit {
-            return (Last::Unclear, Shared::None);
+            return Last::Unclear;
         }
         let small = (Vec4::from(turn).abs().cmple(Vec4::splat(ASKED))).bitmask() & 0b111;
-        let shared = if matches!(small, 0b011 | 0b101 | 0b110 | 0b111) {
-            Shared::new(exact_b.conjugate() * *exact_a)
-        } else {
-            Shared::None
-        };
+        if matches!(small, 0b011 | 0b101 | 0b110 | 0b111) {
+            return Last::Alike;
+        }
         let to_b = Diagonals::of(orientation_b);
         let (c, m) = (to_b.back(-nearest), to_b.back(motion));
         let turn = Diagonals::of(turn);
@@ -119,15 +117,7 @@ impl Boxes {
         let (a1, a2, b1, b2) = (a.yzx(), a.zxy(), b.yzx(), b.zxy());
         let (c1, c2, m1, m2) = (c.yzx(), c.zxy(), m.yzx(), m.zxy());
         let error = Vec3A::splat(ERROR);
-        let of_b = Slabs::new((b + error) + sd * a + (sn * a1 + sp2 * a2), c, m);
-        let of_a = Slabs::new(
-            (a + error) + sd * b + (sp * b1 + sn2 * b2),
-            turn.back(c),
-            turn.back(m),
-        );
-        if shared != Shared::None {
-            return (told(&[of_b, of_a], shared.twice()), shared);
-        }
+        let [of_b, of_a] = self.faces(&turn, c, m);
         let groups = [
             of_b,
             of_a,
@@ -148,7 +138,39 @@ impl Boxes {
                 n1 * m2 - d2 * m1,
             ),
         ];
-        (told(&groups, 0), Shared::None)
+        told(&groups, 0)
+    }
+
+    /// The same of [`Last::Alike`] by faces alone, of which A's named `twice`, by their places among
+    /// the slabs, are B's as well.
+    #[inline(always)]
+    pub(super) fn last_face(&self, twice: u32) -> Last {
+        let to_b = Diagonals::of(self.orientation_b);
+        let turn = Diagonals::of(self.orientation_b.conjugate() * self.orientation_a);
+        let faces = self.faces(&turn, to_b.back(-self.nearest), to_b.back(self.motion));
+        told(&faces, twice)
+    }
+
+    /// B's slabs and A's; B's centre and the motion lie along B's axes.
+    #[inline(always)]
+    fn faces(&self, turn: &Diagonals, centre: Vec3A, motion: Vec3A) -> [Slabs; 2] {
+        let (a, b) = (self.half_a, self.half_b);
+        let Diagonals { d, p, n } = *turn;
+        let (sd, sp, sn) = (d.abs(), p.abs(), n.abs());
+        let (sn2, sp2) = (sn.zxy(), sp.zxy());
+        let error = Vec3A::splat(ERROR);
+        [
+            Slabs::new(
+                (b + error) + sd * a + (sn * a.yzx() + sp2 * a.zxy()),
+                centre,
+                motion,
+            ),
+            Slabs::new(
+                (a + error) + sd * b + (sp * b.yzx() + sn2 * b.zxy()),
+                turn.back(centre),
+                turn.back(motion),
+            ),
+        ]
     }
 }
 

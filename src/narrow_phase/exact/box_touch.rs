@@ -2,7 +2,7 @@
 
 use super::Touching;
 use super::box_body::{Body, Found, edge_at, number};
-use super::box_shared::{self, Shared};
+use super::box_shared::{self, Alike};
 use super::box_slabs::{Boxes, Last};
 use super::pair::STEEP;
 use super::snap::FEATURE;
@@ -78,28 +78,32 @@ pub(super) fn touch(
         nearest: nearest.as_vec3a() * per_size,
         motion: (per_scale * way).as_vec3a(),
     };
-    let (last, shared) = boxes.last(first.1, second.1);
+    let last = boxes.last();
     match last {
         Last::Miss => return Plain::Miss,
         Last::Unclear => return Plain::Unclear,
         _ => {}
     }
+    let steep = STEEP * scale;
+    if last == Last::Alike {
+        return match box_shared::touch(&boxes, [first, second], offset, way, steep) {
+            Alike::Touch { found, by_b } => told(found, by_b != swapped, between, motion),
+            Alike::Miss => Plain::Miss,
+            Alike::Unclear => Plain::Unclear,
+        };
+    }
     let bodies = [
         Body::new(half_a, radius_a, first.1),
         Body::new(half_b, radius_b, second.1),
     ];
-    let steep = STEEP * scale;
     let (found, by_b) = match last {
         Last::Face { of_b, axis } => {
             let [of_face, of_corner] = [&bodies[usize::from(of_b)], &bodies[usize::from(!of_b)]];
             let sign = if of_b { 1.0 } else { -1.0 };
-            let (bodies, offset, way) = ([of_face, of_corner], sign * offset, sign * way);
-            let found = if shared == Shared::None {
-                by_face(bodies, axis, offset, way, steep)
-            } else {
-                box_shared::touch(bodies, axis, shared, offset, way, steep)
-            };
-            (found, of_b)
+            (
+                by_face([of_face, of_corner], axis, sign * offset, sign * way, steep),
+                of_b,
+            )
         }
         Last::Edges { of_a, of_b } => {
             let [body_a, body_b] = &bodies;
@@ -108,13 +112,16 @@ pub(super) fn touch(
                 true,
             )
         }
-        Last::Miss | Last::Unclear => (None, true),
+        Last::Miss | Last::Alike | Last::Unclear => (None, true),
     };
-    let Some(found) = found else {
-        return Plain::Unclear;
-    };
-    // Whether the body that the normal leads out of is the caller's B.
-    let out_of_b = by_b != swapped;
+    found.map_or(Plain::Unclear, |found| {
+        told(found, by_b != swapped, between, motion)
+    })
+}
+
+/// The touch as the caller sees it; whether the body that the normal leads out of is the caller's B.
+#[inline(always)]
+fn told(found: Found, out_of_b: bool, between: DVec3, motion: DVec3) -> Plain {
     let Found {
         fraction,
         normal,
