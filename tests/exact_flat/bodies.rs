@@ -32,7 +32,9 @@ pub(crate) fn direction(rng: &mut ChaCha8Rng) -> DVec3 {
 }
 
 pub(crate) fn turn(rng: &mut ChaCha8Rng) -> DQuat {
-    match index(rng, 8) {
+    match index(rng, 10) {
+        // Many share the upright axis.
+        8.. => DQuat::from_rotation_z(3.0 * signed(rng)),
         0..2 => DQuat::IDENTITY,
         2 => DQuat::from_rotation_z(std::f64::consts::FRAC_PI_2),
         3 => DQuat::from_axis_angle(direction(rng), log(rng, 1e-16, 1e-3)),

@@ -4,7 +4,7 @@
 //! the bound is left to [`boxes`](super::boxes). What is told of the slab is worked out elsewhere from the numbers
 //! given.
 
-use glam::{Quat, Vec3A, Vec3Swizzles};
+use glam::{Quat, Vec3A, Vec3Swizzles, Vec4};
 
 /// By how much the height of one box above the other may be wrong, in shares of the pair's size.
 ///
@@ -16,6 +16,9 @@ const ERROR: f32 = 1.0 / 16_384.0;
 
 /// By how much the square of the relative orientation may seem to differ from 1: another 15 u are rounding.
 const UNIT: f32 = 3e-7;
+
+/// Components of the relative orientation below which it is worth asking whether axes are shared.
+const ASKED: f32 = 5e-7;
 
 /// Slower than this counts as this fast: the difference is next to nothing beside [`ERROR`].
 const FASTEST: f32 = 1e12;
@@ -46,6 +49,8 @@ pub(super) enum Last {
         of_b: usize,
     },
     Miss,
+    /// Axes are shared or nearly so: for [`Boxes::last_face`].
+    Alike,
     Unclear,
 }
 
@@ -77,7 +82,7 @@ impl Slabs {
 }
 
 impl Boxes {
-    /// The slab entered last, if the boxes meet. All fifteen alike, without a branch.
+    /// The slab entered last, if the boxes meet. All fifteen alike, without a branch, unless axes may be shared.
     ///
     /// Source: Gottschalk, Lin & Manocha, *OBBTree* (1996), for the fifteen axes.
     #[inline(always)]
@@ -96,6 +101,10 @@ impl Boxes {
         if !unit {
             return Last::Unclear;
         }
+        let small = (Vec4::from(turn).abs().cmple(Vec4::splat(ASKED))).bitmask() & 0b111;
+        if matches!(small, 0b011 | 0b101 | 0b110 | 0b111) {
+            return Last::Alike;
+        }
         let to_b = Diagonals::of(orientation_b);
         let (c, m) = (to_b.back(-nearest), to_b.back(motion));
         let turn = Diagonals::of(turn);
@@ -108,13 +117,10 @@ impl Boxes {
         let (a1, a2, b1, b2) = (a.yzx(), a.zxy(), b.yzx(), b.zxy());
         let (c1, c2, m1, m2) = (c.yzx(), c.zxy(), m.yzx(), m.zxy());
         let error = Vec3A::splat(ERROR);
+        let [of_b, of_a] = self.faces(&turn, c, m);
         let groups = [
-            Slabs::new((b + error) + sd * a + (sn * a1 + sp2 * a2), c, m),
-            Slabs::new(
-                (a + error) + sd * b + (sp * b1 + sn2 * b2),
-                turn.back(c),
-                turn.back(m),
-            ),
+            of_b,
+            of_a,
             // B's i-th axis times A's i-th, (i + 1)-th and (i + 2)-th.
             Slabs::new(
                 (error + b1 * sn2 + b2 * sp) + (a1 * sp2 + a2 * sn),
@@ -132,7 +138,39 @@ impl Boxes {
                 n1 * m2 - d2 * m1,
             ),
         ];
-        told(&groups)
+        told(&groups, 0)
+    }
+
+    /// The same of [`Last::Alike`] by faces alone, of which A's named `twice`, by their places among
+    /// the slabs, are B's as well.
+    #[inline(always)]
+    pub(super) fn last_face(&self, twice: u32) -> Last {
+        let to_b = Diagonals::of(self.orientation_b);
+        let turn = Diagonals::of(self.orientation_b.conjugate() * self.orientation_a);
+        let faces = self.faces(&turn, to_b.back(-self.nearest), to_b.back(self.motion));
+        told(&faces, twice)
+    }
+
+    /// B's slabs and A's; B's centre and the motion lie along B's axes.
+    #[inline(always)]
+    fn faces(&self, turn: &Diagonals, centre: Vec3A, motion: Vec3A) -> [Slabs; 2] {
+        let (a, b) = (self.half_a, self.half_b);
+        let Diagonals { d, p, n } = *turn;
+        let (sd, sp, sn) = (d.abs(), p.abs(), n.abs());
+        let (sn2, sp2) = (sn.zxy(), sp.zxy());
+        let error = Vec3A::splat(ERROR);
+        [
+            Slabs::new(
+                (b + error) + sd * a + (sn * a.yzx() + sp2 * a.zxy()),
+                centre,
+                motion,
+            ),
+            Slabs::new(
+                (a + error) + sd * b + (sp * b.yzx() + sn2 * b.zxy()),
+                turn.back(centre),
+                turn.back(motion),
+            ),
+        ]
     }
 }
 
@@ -167,17 +205,16 @@ impl Diagonals {
     }
 }
 
-/// What the times say.
+/// What the times say; the slabs of `twice` are others once more.
 #[inline(always)]
-fn told(groups: &[Slabs; 5]) -> Last {
-    let [p, q, r, s, t] = groups;
+fn told<const N: usize>(groups: &[Slabs; N], twice: u32) -> Last {
     let largest = |of: fn(&Slabs) -> Vec3A| {
-        let (of_p, of_q, of_r, of_s, of_t) = (of(p), of(q), of(r), of(s), of(t));
-        (of_p.max(of_q).max(of_r.max(of_s)).max(of_t)).max_element()
+        let all = groups.each_ref().map(of);
+        all.into_iter().fold(all[0], Vec3A::max).max_element()
     };
     let smallest = |of: fn(&Slabs) -> Vec3A| {
-        let (of_p, of_q, of_r, of_s, of_t) = (of(p), of(q), of(r), of(s), of(t));
-        (of_p.min(of_q).min(of_r.min(of_s)).min(of_t)).min_element()
+        let all = groups.each_ref().map(of);
+        all.into_iter().fold(all[0], Vec3A::min).min_element()
     };
     let enter = largest(|slabs| slabs.enter[0]);
     if enter > smallest(|slabs| slabs.leave[1]) {
@@ -196,7 +233,7 @@ fn told(groups: &[Slabs; 5]) -> Last {
     let bar = Vec3A::splat(enter);
     let mask = groups.iter().enumerate().fold(0, |mask, (group, slabs)| {
         mask | slabs.enter[1].cmpge(bar).bitmask() << (3 * group)
-    });
+    }) & !twice;
     if mask & mask.wrapping_sub(1) != 0 {
         return Last::Unclear;
     }

@@ -21,6 +21,8 @@ mod ball_start;
 mod ball_touch;
 mod ball_triangle;
 mod body;
+mod box_body;
+mod box_shared;
 mod box_slabs;
 mod box_touch;
 mod boxes;
