@@ -38,11 +38,12 @@ use glam::{DQuat, DVec3};
 /// features. Where edges or faces are parallel but for a hair, rounding decides which features
 /// they are, and the point is as uncertain as what they share.
 ///
-/// Two boxes take fifteen swept separating axes (Gottschalk, Lin & Manocha, 1996), six if they share one, in
-/// single precision where that leaves no doubt. Other pairs search the portal of the Minkowski difference that the ray goes through
-/// (Snethen, *XenoCollide*, 2008): five to ten supports, more for large hulls. With up to 256 vertices a
-/// body the search is in single precision, and what it finds is proven in double. The few that
-/// rounding leaves undecided try every face of the difference.
+/// Two boxes take fifteen swept separating axes (Gottschalk, Lin & Manocha, 1996), six if they
+/// share one, in single precision where that leaves no doubt. Other pairs search the portal of
+/// the Minkowski difference that the ray goes through (Snethen, *XenoCollide*, 2008): five to ten
+/// supports, more for large hulls. With up to 256 vertices a body the search is in single
+/// precision, and what it finds is proven in double. The few that rounding leaves undecided try
+/// every face of the difference.
 ///
 /// ```
 /// use feeler::narrow_phase::exact::flat_crossing;

@@ -14,9 +14,10 @@ pub(crate) struct Flight<'a> {
     pub(super) shape: &'a Shape,
     pub(super) motion: &'a Motion,
     pub(super) frame: &'a FrameMotion,
+    /// How the body was turned as its motion began.
     pub(super) orientation: DQuat,
     /// The hub in the body's own frame.
-    hub: DVec3,
+    pub(super) hub: DVec3,
     /// The same along the world's axes, as the motion begins.
     hub_shift: DVec3,
     /// No vertex of the core is farther from the hub, in metres; of a spin, from its axis.
@@ -229,16 +230,6 @@ impl<'a> Flight<'a> {
             Turning::Facing(_) => f64::INFINITY,
         };
         self.speed + turning
-    }
-
-    /// The hub, in the body's own frame.
-    pub(super) fn hub(&self) -> DVec3 {
-        self.hub
-    }
-
-    /// How the body was turned as its motion began.
-    pub(super) fn orientation(&self) -> DQuat {
-        self.orientation
     }
 
     /// The least `n · r` of all points `r` of the core from the hub, however a spin about

@@ -93,13 +93,13 @@ fn lowest_ever(flight: &Flight<'_>, instant: &Instant<'_>, normal: DVec3) -> DVe
         Turning::Spin(spin) => spin,
     };
     let axis = spin.axis();
-    let own_axis = flight.orientation().conjugate() * axis;
+    let own_axis = flight.orientation.conjugate() * axis;
     let along = normal.dot(axis);
     let aside = normal - along * axis;
     let sine = aside.length();
     let (mut least, mut place) = (f64::INFINITY, (0.0, 0.0));
     flight.each_vertex(|vertex| {
-        let offset = vertex - flight.hub();
+        let offset = vertex - flight.hub;
         let height = offset.dot(own_axis);
         let radius = (offset - height * own_axis).length();
         let low = height * along - radius * sine;
