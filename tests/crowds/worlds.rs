@@ -49,6 +49,8 @@ pub(crate) enum Crowd {
     Fast,
     /// On paths, and all shapes.
     Mixed,
+    /// A few on paths, and all shapes.
+    Strays,
     /// Far from the origin.
     Far,
     /// All shapes, freely and on paths, spinning.
@@ -56,7 +58,7 @@ pub(crate) enum Crowd {
 }
 
 impl Crowd {
-    pub(crate) const ALL: [Self; 10] = [
+    pub(crate) const ALL: [Self; 11] = [
         Self::Balls,
         Self::Boxes,
         Self::Hulls,
@@ -65,6 +67,7 @@ impl Crowd {
         Self::Still,
         Self::Fast,
         Self::Mixed,
+        Self::Strays,
         Self::Far,
         Self::Spinning,
     ];
@@ -93,8 +96,10 @@ impl Crowd {
             Shape::from(Polytope::from_points(points).unwrap())
         };
         let shape = match (self, number % 3) {
-            (Self::Boxes, _) | (Self::Mixed | Self::Still | Self::Spinning, 1) => cuboid(random),
-            (Self::Hulls, _) | (Self::Mixed | Self::Spinning, 2) => hull(random),
+            (Self::Boxes, _) | (Self::Mixed | Self::Strays | Self::Still | Self::Spinning, 1) => {
+                cuboid(random)
+            }
+            (Self::Hulls, _) | (Self::Mixed | Self::Strays | Self::Spinning, 2) => hull(random),
             _ => Sphere::new(size).unwrap().into(),
         };
         let place = match self {
@@ -106,11 +111,14 @@ impl Crowd {
         let velocity = speed * random.unit() * random.vector().normalize();
         let motion = match (self, number % 4) {
             (Self::Still, _) if !number.is_multiple_of(100) => Motion::fixed(place).unwrap(),
+            (Self::Strays, _) if !number.is_multiple_of(20) => {
+                Motion::free(place, velocity).unwrap()
+            }
             (Self::Mixed, 0) | (Self::Spinning, 3) => {
                 let path = Path::line(place, place + velocity).unwrap();
                 Motion::along(path, 6.0).unwrap()
             }
-            (Self::Mixed, 1) => {
+            (Self::Mixed, 1) | (Self::Strays, _) => {
                 let points = [place, place + random.vector(), place + velocity];
                 let path = Path::spline(points, random.vector(), random.vector()).unwrap();
                 Motion::along(path, 20.0).unwrap()
