@@ -11,6 +11,10 @@ use crate::world::tracks::{Span, Track};
 use crate::world::{BodyId, CollisionWorld};
 use glam::DVec3;
 
+/// So many rays are worth handing over to another thread.
+#[cfg(feature = "parallel")]
+const HANDED: usize = 64;
+
 /// A ray that has been checked, and how far it goes, in directions.
 struct Cast {
     ray: Ray,
@@ -140,7 +144,8 @@ impl CollisionWorld {
         #[cfg(feature = "parallel")]
         if rayon::current_num_threads() > 1 {
             use rayon::prelude::*;
-            let hits = casts.par_iter().with_min_len(64);
+            // Few enough that nobody waits long for the last.
+            let hits = casts.par_iter().with_min_len(HANDED).with_max_len(HANDED);
             return Ok(hits
                 .map(|cast| self.first_along(view, cast, filter))
                 .collect());
