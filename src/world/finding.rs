@@ -47,7 +47,7 @@ impl Frame<'_> {
                     let mut found = findings.shared.room();
                     let mut solver = Solver::new(self.config.method);
                     self.examine(pairs, at, &mut solver, &mut found);
-                    found.divide(self.slots.capacity());
+                    found.close(self.slots.capacity());
                     found
                 })
                 .collect();

@@ -31,9 +31,16 @@ pub(super) struct Findings {
     /// What other threads have found; nothing has been found here then.
     #[cfg(feature = "parallel")]
     pub(super) shared: Shared,
-    /// Of a part of those, where the portions of its keys end.
+    /// Of a part of those, where the portions of its keys end, if it is divided.
     #[cfg(feature = "parallel")]
-    ends: Ends,
+    ends: Option<Ends>,
+    /// So many keys of each portion are of the moment at which the frame begins; of a part that is
+    /// not divided, so many of all.
+    #[cfg(feature = "parallel")]
+    at_start: Ends,
+    /// Of such a part, of how many slots its bodies are.
+    #[cfg(feature = "parallel")]
+    slots: usize,
 }
 
 /// Which contact is whose.
@@ -72,14 +79,13 @@ impl Found {
             .then(|| key((self.order >> 32) as u32, self.order as u32))
     }
 
-    /// The contact as it is told.
+    /// Puts the contact into `place`, as it is told.
     #[inline]
-    pub(super) fn told(&self, contact: &Contact) -> Contact {
-        let mut told = *contact;
+    pub(super) fn tell(&self, contact: &Contact, place: &mut Contact) {
+        *place = *contact;
         if self.is(Self::DRIFTED) && self.is(Self::TOUCH) {
-            told.kind = ContactKind::Touch;
+            place.kind = ContactKind::Touch;
         }
-        told
     }
 }
 
@@ -141,6 +147,14 @@ pub(super) fn mark_met(keys: &mut [Found], met: &[PairKey]) {
     }
 }
 
+/// Room for so many contacts, all of which are to be overwritten; `any` is one of them.
+pub(super) fn make_room(contacts: &mut Vec<Contact>, count: usize, any: Option<&Contact>) {
+    contacts.truncate(count);
+    if let Some(any) = any {
+        contacts.resize(count, *any);
+    }
+}
+
 impl Findings {
     pub(super) fn clear(&mut self) {
         self.contacts.clear();
@@ -165,17 +179,36 @@ impl Findings {
         self.contacts.push(contact);
     }
 
-    /// Divides the keys among portions, by the first of their slots, of which there are so many.
+    /// Makes it one of several parts, which are of bodies of so many slots: keys that are not in
+    /// order are divided.
     #[cfg(feature = "parallel")]
-    pub(super) fn divide(&mut self, slots: usize) {
-        let slots = slots.max(1);
+    pub(super) fn close(&mut self, slots: usize) {
+        self.slots = slots.max(1);
+        self.ends = None;
+        if self.keys.is_sorted_by_key(Found::order) {
+            let at_start = self.keys.iter().filter(|found| found.is(Found::AT_START));
+            self.at_start[0] = at_start.count() as u32;
+        } else {
+            self.divide();
+        }
+    }
+
+    /// Divides the keys among portions, by the first of their slots, unless that is done.
+    #[cfg(feature = "parallel")]
+    pub(super) fn divide(&mut self) {
+        if self.ends.is_some() {
+            return;
+        }
+        let slots = self.slots;
         let portion = |found: &Found| {
             let first = (found.order >> 32) as usize;
             (first * PORTIONS / slots).min(PORTIONS - 1)
         };
         let mut places: Ends = [0; PORTIONS];
+        self.at_start = [0; PORTIONS];
         for found in &self.keys {
             places[portion(found)] += 1;
+            self.at_start[portion(found)] += u32::from(found.is(Found::AT_START));
         }
         let mut before = 0;
         for place in &mut places {
@@ -190,18 +223,40 @@ impl Findings {
             }
             *place += 1;
         }
-        self.ends = places;
+        self.ends = Some(places);
     }
 
     /// The keys of a portion.
     #[cfg(feature = "parallel")]
     pub(super) fn portion(&self, number: usize) -> &[Found] {
-        let end = |number: usize| self.ends.get(number).map_or(0, |&end| end as usize);
+        let end = |number: usize| {
+            let end = self.ends.as_ref().and_then(|ends| ends.get(number));
+            end.map_or(0, |&end| end as usize)
+        };
         let begin = number.checked_sub(1).map_or(0, end);
         self.keys.get(begin..end(number)).unwrap_or_default()
     }
 
-    /// Adds what was found of other pairs, and has been [divided](Self::divide).
+    /// The keys, if they are in order and not divided.
+    #[cfg(feature = "parallel")]
+    pub(super) fn in_order(&self) -> Option<&[Found]> {
+        self.ends.is_none().then_some(&self.keys)
+    }
+
+    /// So many keys of a portion are of the moment at which the frame begins; see
+    /// [`in_order`](Self::in_order) for the only one of a part that is not divided.
+    #[cfg(feature = "parallel")]
+    pub(super) fn at_start(&self, number: usize) -> usize {
+        self.at_start.get(number).map_or(0, |&count| count as usize)
+    }
+
+    /// The keys, in whatever order.
+    #[cfg(feature = "parallel")]
+    pub(super) fn keys(&self) -> &[Found] {
+        &self.keys
+    }
+
+    /// Adds what was found of other pairs, and has been [closed](Self::close).
     #[cfg(feature = "parallel")]
     pub(super) fn append(&mut self, other: Self) {
         self.resting.extend_from_slice(&other.resting);
@@ -248,11 +303,14 @@ impl Findings {
             Some(Late { time, found })
         }));
         sort_late(late);
-        sorted.clear();
-        sorted.reserve(keys.len());
+        make_room(sorted, keys.len(), contacts.first());
         let at_start = keys.iter().filter(|found| found.is(Found::AT_START));
         let in_order = at_start.chain(late.iter().map(|late| &late.found));
-        sorted.extend(in_order.filter_map(|found| Some(found.told(contact(found)?))));
+        for (place, found) in sorted.iter_mut().zip(in_order) {
+            if let Some(contact) = contact(found) {
+                found.tell(contact, place);
+            }
+        }
     }
 
     /// Sorts the keys by slots.

@@ -30,7 +30,7 @@ impl Frame<'_> {
                 leave_out(gate, pairs, &mut found.0);
                 self.pass(gate, pairs, (&mut found.0, &mut found.1));
                 self.examine(&found.0.pairs, |id| pairs.at(id), &mut solver, &mut found.1);
-                found.1.divide(self.slots.capacity());
+                found.1.close(self.slots.capacity());
             });
             for (more, found) in parts {
                 passed.append(&more);

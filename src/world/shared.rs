@@ -2,22 +2,30 @@
 
 use crate::math::radix::sort_by_slots;
 use crate::world::Contact;
-use crate::world::findings::{Findings, Found, Late, PairKey, mark_met, sort_late};
+use crate::world::findings::{Findings, Found, Late, PairKey, make_room, mark_met, sort_late};
 use rayon::prelude::*;
+use std::ops::Range;
 use std::sync::Mutex;
 
-/// Keys are sorted in so many portions, each by one thread: enough that no thread is
-/// idle for long, of slots that follow each other.
+/// Keys that are not in order are sorted in so many portions, each by one thread: enough that
+/// no thread is idle for long, of slots that follow each other.
 pub(super) const PORTIONS: usize = 32;
 
 /// Where each portion of some keys ends.
 pub(super) type Ends = [u32; PORTIONS];
 
+/// Contacts within the frame are told so many at a time.
+const HANDED: usize = 256;
+
 /// All contacts that several threads have found.
 #[derive(Debug, Default)]
 pub(super) struct Shared {
     parts: Vec<Findings>,
+    /// Those in use come first.
     portions: Vec<Portion>,
+    used: usize,
+    /// The keys of parts that do not follow the others.
+    others: Vec<Found>,
     late: Vec<Late>,
     /// The memory of earlier parts.
     pool: Mutex<Vec<Findings>>,
@@ -28,8 +36,8 @@ pub(super) struct Shared {
 struct Portion {
     /// In order.
     keys: Vec<Found>,
-    /// Those of the moment at which the frame begins; room to sort in before.
-    at_start: Vec<Found>,
+    /// Room to sort in.
+    spare: Vec<Found>,
     late: Vec<Late>,
     /// Their pairs, and those that are told as touching.
     met: Vec<PairKey>,
@@ -38,29 +46,79 @@ struct Portion {
 
 impl Portion {
     /// Takes its keys from all parts, in order.
-    fn fill(&mut self, number: usize, parts: &[Findings], met: &[PairKey]) {
+    fn sort(&mut self, number: usize, parts: &[Findings]) {
         self.keys.clear();
         for (index, part) in parts.iter().enumerate() {
             let keys = part.portion(number).iter();
             self.keys.extend(keys.map(|found| found.of_part(index)));
         }
         if !self.keys.is_sorted_by_key(Found::order) {
-            sort_by_slots((&mut self.keys, &mut self.at_start), Found::order);
+            sort_by_slots((&mut self.keys, &mut self.spare), Found::order);
         }
+    }
+
+    /// Takes the keys of a part, and others, both of which are in order.
+    fn merge(&mut self, (index, keys): (usize, &[Found]), others: &[Found]) {
+        self.keys.clear();
+        let mut rest = keys;
+        for other in others {
+            let end = rest.partition_point(|found| found.order() < other.order());
+            let (before, after) = rest.split_at(end);
+            self.keys
+                .extend(before.iter().map(|found| found.of_part(index)));
+            self.keys.push(*other);
+            rest = after;
+        }
+        self.keys
+            .extend(rest.iter().map(|found| found.of_part(index)));
+    }
+
+    /// What is to be known of its keys.
+    fn fill(&mut self, parts: &[Findings], met: &[PairKey]) {
         mark_met(&mut self.keys, met);
         self.met.clear();
         self.met.extend(self.keys.iter().map(Found::order));
         self.touches.clear();
         self.touches
             .extend(self.keys.iter().filter_map(Found::touch));
-        self.at_start.clear();
         self.late.clear();
-        for &found in &self.keys {
-            if found.is(Found::AT_START) {
-                self.at_start.push(found);
-            } else if let Some(contact) = contact(parts, &found) {
-                let time = contact.time;
-                self.late.push(Late { time, found });
+        let is_late = |found: &&Found| !found.is(Found::AT_START);
+        self.late
+            .extend(self.keys.iter().filter(is_late).filter_map(|&found| {
+                let time = contact(parts, &found)?.time;
+                Some(Late { time, found })
+            }));
+    }
+
+    /// Puts the contacts of the moment at which the frame begins where they belong.
+    fn tell(&self, parts: &[Findings], places: &mut [Contact]) {
+        let at_start = self.keys.iter().filter(|found| found.is(Found::AT_START));
+        for (place, found) in places.iter_mut().zip(at_start) {
+            tell(parts, found, place);
+        }
+    }
+}
+
+/// Where a portion gets its keys from.
+enum Source<'a> {
+    /// From all parts, of which it is this portion.
+    Parts(usize),
+    /// From one part, and from others, both in order.
+    Part {
+        index: usize,
+        keys: &'a [Found],
+        others: &'a [Found],
+    },
+}
+
+impl Source<'_> {
+    /// How many of the keys are of the moment at which the frame begins.
+    fn at_start(&self, parts: &[Findings]) -> usize {
+        match *self {
+            Self::Parts(number) => parts.iter().map(|part| part.at_start(number)).sum(),
+            Self::Part { index, others, .. } => {
+                let others = others.iter().filter(|found| found.is(Found::AT_START));
+                parts.get(index).map_or(0, |part| part.at_start(0)) + others.count()
             }
         }
     }
@@ -76,11 +134,7 @@ impl Shared {
             }));
         }
         self.parts.clear();
-        for portion in &mut self.portions {
-            portion.keys.clear();
-            portion.met.clear();
-            portion.touches.clear();
-        }
+        self.used = 0;
     }
 
     pub(super) fn is_empty(&self) -> bool {
@@ -97,9 +151,13 @@ impl Shared {
         self.parts.push(part);
     }
 
+    fn portions(&self) -> &[Portion] {
+        self.portions.get(..self.used).unwrap_or_default()
+    }
+
     /// Adds the pairs with a contact at `until` or before, sorted.
     pub(super) fn met_until(&self, until: f64, met: &mut Vec<PairKey>) {
-        for portion in &self.portions {
+        for portion in self.portions() {
             if until >= 1.0 {
                 met.extend_from_slice(&portion.met);
                 continue;
@@ -114,7 +172,7 @@ impl Shared {
 
     /// The pairs that are told as touching.
     pub(super) fn touches(&self) -> impl Iterator<Item = PairKey> {
-        let touches = self.portions.iter().map(|portion| &portion.touches);
+        let touches = self.portions().iter().map(|portion| &portion.touches);
         touches.flatten().copied()
     }
 
@@ -123,51 +181,74 @@ impl Shared {
         let Self {
             parts,
             portions,
+            used,
+            others,
             late,
             ..
         } = self;
-        portions.resize_with(PORTIONS, Portion::default);
-        let numbered = portions.par_iter_mut().enumerate();
-        numbered.for_each(|(number, portion)| portion.fill(number, parts, met));
+        let count = parts.iter().map(|part| part.keys().len()).sum::<usize>();
+        make_room(
+            sorted,
+            count,
+            parts.iter().find_map(|part| part.contacts.first()),
+        );
+        // Pairs that are kept from frame to frame may be in order: each part of them is a
+        // portion then, to which the few pairs are added that have been found since.
+        let kept = longest_ascent(parts);
+        others.clear();
+        for (index, part) in parts.iter().enumerate() {
+            if !kept.contains(&index) {
+                others.extend(part.keys().iter().map(|found| found.of_part(index)));
+            }
+        }
+        let sources = if 4 * others.len() > count {
+            parts.par_iter_mut().for_each(Findings::divide);
+            (0..PORTIONS).map(Source::Parts).collect()
+        } else {
+            others.sort_unstable_by_key(Found::order);
+            shared_out(others, kept, parts)
+        };
+        *used = sources.len();
+        if portions.len() < *used {
+            portions.resize_with(*used, Portion::default);
+        }
+        let mut rest = sorted.as_mut_slice();
+        let mut jobs = Vec::with_capacity(*used);
+        for (portion, source) in portions.iter_mut().zip(sources) {
+            let (places, more) = rest.split_at_mut(source.at_start(parts).min(rest.len()));
+            jobs.push((portion, source, places));
+            rest = more;
+        }
+        let jobs = jobs.into_par_iter().with_max_len(1);
+        jobs.for_each(|(portion, source, places)| {
+            match source {
+                Source::Parts(number) => portion.sort(number, parts),
+                Source::Part {
+                    index,
+                    keys,
+                    others,
+                } => portion.merge((index, keys), others),
+            }
+            portion.fill(parts, met);
+            portion.tell(parts, places);
+        });
         late.clear();
-        for portion in &*portions {
+        for portion in portions.iter().take(*used) {
             late.extend_from_slice(&portion.late);
         }
         sort_late(late);
-        let at_start = portions.iter().map(|portion| portion.at_start.len());
-        let count = at_start.sum::<usize>() + late.len();
-        // What is there is overwritten; there may be more than before.
-        sorted.truncate(count);
-        if let Some(any) = parts.iter().find_map(|part| part.contacts.first()) {
-            sorted.resize(count, *any);
-        }
-        let mut rest = sorted.as_mut_slice();
-        let mut places = Vec::with_capacity(PORTIONS);
-        for portion in &*portions {
-            let count = portion.at_start.len().min(rest.len());
-            let (some, others) = rest.split_at_mut(count);
-            places.push((some, portion.at_start.as_slice()));
-            rest = others;
-        }
-        let tell = |place: &mut Contact, found: &Found| {
-            if let Some(contact) = contact(parts, found) {
-                *place = found.told(contact);
-            }
-        };
-        places.into_par_iter().for_each(|(places, founds)| {
-            for (place, found) in places.iter_mut().zip(founds) {
-                tell(place, found);
+        let rest = rest.par_chunks_mut(HANDED).zip(late.par_chunks(HANDED));
+        rest.for_each(|(places, late)| {
+            for (place, late) in places.iter_mut().zip(late) {
+                tell(parts, &late.found, place);
             }
         });
-        for (place, late) in rest.iter_mut().zip(late) {
-            tell(place, &late.found);
-        }
     }
 
     /// Bytes in use.
     pub(super) fn memory(&self) -> usize {
         let portions = self.portions.iter().map(|portion| {
-            (portion.keys.capacity() + portion.at_start.capacity()) * size_of::<Found>()
+            (portion.keys.capacity() + portion.spare.capacity()) * size_of::<Found>()
                 + portion.late.capacity() * size_of::<Late>()
                 + (portion.met.capacity() + portion.touches.capacity()) * size_of::<PairKey>()
         });
@@ -180,10 +261,68 @@ impl Shared {
             + parts
             + pool
             + self.parts.capacity() * size_of::<Findings>()
+            + self.others.capacity() * size_of::<Found>()
             + self.late.capacity() * size_of::<Late>()
     }
 }
 
+/// Some keys among the parts that they come between; both are in order.
+fn shared_out<'a>(
+    others: &'a [Found],
+    kept: Range<usize>,
+    parts: &'a [Findings],
+) -> Vec<Source<'a>> {
+    let mut begin = 0;
+    let sources = kept.clone().map(|index| {
+        let keys = parts.get(index).and_then(Findings::in_order);
+        let keys = keys.unwrap_or_default();
+        let end = match keys.last() {
+            // What comes after all of them comes with the last.
+            _ if index + 1 == kept.end => others.len(),
+            Some(last) => others.partition_point(|found| found.order() < last.order()),
+            None => begin,
+        };
+        let others = others.get(begin..end).unwrap_or_default();
+        begin = end;
+        Source::Part {
+            index,
+            keys,
+            others,
+        }
+    });
+    sources.collect()
+}
+
 fn contact<'a>(parts: &'a [Findings], found: &Found) -> Option<&'a Contact> {
     parts.get(found.part())?.contacts.get(found.index())
+}
+
+fn tell(parts: &[Findings], found: &Found, place: &mut Contact) {
+    if let Some(contact) = contact(parts, found) {
+        found.tell(contact, place);
+    }
+}
+
+/// Of all parts that follow each other in order, those in a row with the most keys.
+fn longest_ascent(parts: &[Findings]) -> Range<usize> {
+    let (mut longest, mut most) = (0..0, 0);
+    let (mut begin, mut count, mut last) = (0, 0, None);
+    for (index, part) in parts.iter().enumerate() {
+        let Some(keys) = part.in_order() else {
+            (begin, count, last) = (index + 1, 0, None);
+            continue;
+        };
+        let (Some(first), Some(end)) = (keys.first(), keys.last()) else {
+            continue;
+        };
+        if last.is_some_and(|last| last >= first.order()) {
+            (begin, count) = (index, 0);
+        }
+        count += keys.len();
+        last = Some(end.order());
+        if count > most {
+            (longest, most) = (begin..index + 1, count);
+        }
+    }
+    longest
 }

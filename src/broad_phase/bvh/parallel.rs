@@ -15,6 +15,9 @@ const JOBS: usize = 256;
 /// So many leaves of a small tree are looked for at a time.
 const LEAVES: usize = 32;
 
+/// So many diverted bodies are: there are few, and nobody has anything else to do meanwhile.
+const DIVERTED: usize = 8;
+
 /// What was found out, of which pairs, by how many tests.
 type Part<S> = (S, Vec<Listed>, u64);
 
@@ -54,6 +57,7 @@ impl<T: Copy + Send + Sync> Bvh<T> {
             let parts: Vec<(S, usize)> = list
                 .pairs
                 .par_chunks_mut(PORTION)
+                .with_max_len(1)
                 .map(|pairs| told((trees, numbers), (pairs, false), &visit))
                 .collect();
             let mut kept = 0;
@@ -80,6 +84,7 @@ impl<T: Copy + Send + Sync> Bvh<T> {
                     let leaves = both[1].leaves.len();
                     let parts: Vec<Part<S>> = (0..leaves.div_ceil(LEAVES))
                         .into_par_iter()
+                        .with_max_len(1)
                         .map(|part| {
                             let some = part * LEAVES..leaves.min((part + 1) * LEAVES);
                             let mut found = Vec::new();
@@ -119,6 +124,7 @@ impl<T: Copy + Send + Sync> Bvh<T> {
                 let chunk = jobs.len().div_ceil(JOBS).max(1);
                 let parts: Vec<Part<S>> = jobs
                     .par_chunks(chunk)
+                    .with_max_len(1)
                     .map(|jobs| {
                         let mut found = Vec::new();
                         let mut pair = |a, b| found.push(Listed::new(a, b));
@@ -148,10 +154,11 @@ impl<T: Copy + Send + Sync> Bvh<T> {
             };
             let of = ([tree_a, tree_b], a == b);
             let count = diverted::count(of.0, of.1);
-            let parts: Vec<(S, Vec<Listed>)> = (0..count.div_ceil(LEAVES))
+            let parts: Vec<(S, Vec<Listed>)> = (0..count.div_ceil(DIVERTED))
                 .into_par_iter()
+                .with_max_len(1)
                 .map(|part| {
-                    let some = part * LEAVES..count.min((part + 1) * LEAVES);
+                    let some = part * DIVERTED..count.min((part + 1) * DIVERTED);
                     let mut found = Vec::new();
                     diverted::search(of, some, |a, b| found.push(Listed::new(a, b)));
                     let (answer, left) = told((trees, [a, b]), (&mut found, true), visit);
