@@ -45,6 +45,21 @@ fn world(crowd: Crowd, random: &mut Random) -> CollisionWorld {
             }
         }
     }
+    // Calm frames, for several of which boxes hold, and a few changes since.
+    // Fast bodies would be far from each other.
+    let dt = if crowd == Crowd::Fast {
+        1e-3
+    } else {
+        1.0 / 60.0
+    };
+    for _ in 0..random.below(12) {
+        world.step(dt).unwrap();
+    }
+    let ids: Vec<BodyId> = world.bodies().collect();
+    for _ in 0..random.below(4) {
+        let id = ids[random.below(ids.len())];
+        world.set_velocity(id, 20.0 * random.vector()).unwrap();
+    }
     world
 }
 
