@@ -1,9 +1,10 @@
 //! Rays against polytopes.
 
 use super::clip::{self, Plane};
+use super::glance::{Glance, glance};
 use super::line::Line;
-use super::{GRAZE, RayCast, RayHit, RaySpan, SurfacePoint, walk};
-use crate::geometry::{Feature, Polytope, Ray};
+use super::{GRAZE, RayCast, RayHit, RaySpan, SurfacePoint, turned_hit, walk};
+use crate::geometry::{Feature, Polytope, Pose, Ray};
 use glam::DVec3;
 
 /// From neighbour to neighbour towards the face the line enters by: two or three
@@ -67,10 +68,24 @@ impl RayCast for Polytope {
             .first_hit(ray, || self.contains_point(ray.origin))
     }
 
+    fn first_hit_at(&self, pose: &Pose, ray: &Ray) -> Option<RayHit> {
+        match glance(self, pose, ray) {
+            Glance::Hit(point) => Some(RayHit::Surface(point)),
+            Glance::Miss => None,
+            Glance::Unclear => walked(self, pose, ray),
+        }
+    }
+
     fn contains_point(&self, point: DVec3) -> bool {
         let by_planes = || planes(self).all(|plane| plane.normal.dot(point) <= plane.offset);
         point.is_finite() && self.face_map().holds(point).unwrap_or_else(by_planes)
     }
+}
+
+/// By the walk. Apart, for it needs room that a glance does not.
+#[inline(never)]
+fn walked(polytope: &Polytope, pose: &Pose, ray: &Ray) -> Option<RayHit> {
+    turned_hit(polytope, pose, ray)
 }
 
 /// Whether `point` of a face's plane lies behind all its neighbours, as that of a line does not
