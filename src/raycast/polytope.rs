@@ -10,7 +10,8 @@ use glam::DVec3;
 /// From neighbour to neighbour towards the face the line enters by: two or three
 /// faces as a rule, O(√faces) of them where the polytope is nowhere near
 /// its bounding box. At edges and corners, where the lowest face is sought,
-/// O(faces).
+/// O(faces). The first hit of a polytope in a pose is told from a look at all faces at once if there are no
+/// more than 32, as hulls of 18 points have, and single precision leaves no doubt.
 impl RayCast for Polytope {
     fn line_span(&self, ray: &Ray) -> Option<RaySpan> {
         let line = Line::of(ray)?;
