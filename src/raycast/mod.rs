@@ -37,6 +37,7 @@
 mod aabb;
 mod clip;
 mod cuboid;
+mod glance;
 mod hit;
 mod line;
 mod obb;
@@ -136,11 +137,17 @@ pub trait RayCast {
     /// ```
     #[must_use]
     fn first_hit_at(&self, pose: &Pose, ray: &Ray) -> Option<RayHit> {
-        Some(match self.first_hit(&local(pose, ray))? {
-            RayHit::Surface(point) => RayHit::Surface(point.turned(pose)),
-            RayHit::Inside => RayHit::Inside,
-        })
+        turned_hit(self, pose, ray)
     }
+}
+
+/// The first hit of a solid standing at `pose`, found in the solid's frame.
+#[inline]
+fn turned_hit(solid: &(impl RayCast + ?Sized), pose: &Pose, ray: &Ray) -> Option<RayHit> {
+    Some(match solid.first_hit(&local(pose, ray))? {
+        RayHit::Surface(point) => RayHit::Surface(point.turned(pose)),
+        RayHit::Inside => RayHit::Inside,
+    })
 }
 
 #[inline]

@@ -1,7 +1,7 @@
 //! Rays against any shape.
 
-use super::{RayCast, RayHit, RaySpan};
-use crate::geometry::{Ray, Shape};
+use super::{RayCast, RayHit, RaySpan, turned_hit};
+use crate::geometry::{Pose, Ray, Shape};
 use glam::DVec3;
 
 impl RayCast for Shape {
@@ -30,6 +30,14 @@ impl RayCast for Shape {
             Self::Cuboid(cuboid) => cuboid.first_hit(ray),
             Self::Triangle(triangle) => triangle.first_hit(ray),
             Self::Polytope(polytope) => polytope.first_hit(ray),
+        }
+    }
+
+    #[inline]
+    fn first_hit_at(&self, pose: &Pose, ray: &Ray) -> Option<RayHit> {
+        match self {
+            Self::Polytope(polytope) => polytope.first_hit_at(pose, ray),
+            _ => turned_hit(self, pose, ray),
         }
     }
 }

@@ -13,6 +13,7 @@
 
 mod cases;
 mod conventions;
+mod glances;
 mod oracle;
 mod past_edges;
 mod polytope;

@@ -2,6 +2,7 @@
 
 mod bounding_sphere;
 mod edge_map;
+mod facade;
 mod face_map;
 mod faces;
 mod hull;
@@ -20,6 +21,7 @@ use crate::math::domain;
 use crate::tolerance::MAX_LENGTH;
 use bounding_sphere::bounding_sphere;
 use edge_map::EdgeMap;
+pub(crate) use facade::Facade;
 use face_map::FaceMap;
 use faces::Faces;
 use glam::DVec3;
@@ -108,6 +110,8 @@ pub struct Polytope {
     edge_map: EdgeMap,
     support: Support,
     face_map: FaceMap,
+    /// Empty if there are many faces.
+    facade: Facade,
     edges: Vec<Edge>,
     offsets: Vec<f64>,
     triangles: Vec<[u32; 3]>,
@@ -249,12 +253,14 @@ impl Polytope {
             rims: faces.rims,
             support,
             face_map: FaceMap::default(),
+            facade: Facade::default(),
             sketch: Sketch::default(),
             centre,
             max_dist,
         };
         polytope.face_map = FaceMap::of(&polytope);
         polytope.sketch = Sketch::of(&polytope);
+        polytope.facade = Facade::of(&polytope);
         polytope
     }
 
@@ -287,6 +293,12 @@ impl Polytope {
     #[inline]
     pub(crate) fn sketch(&self) -> Option<&Sketch> {
         (!self.sketch.is_empty()).then_some(&self.sketch)
+    }
+
+    /// The faces as a ray looks at them; no planes if they are many.
+    #[inline]
+    pub(crate) fn facade(&self) -> &Facade {
+        &self.facade
     }
 
     /// The vertices in single precision, four by four; none if they are many.
