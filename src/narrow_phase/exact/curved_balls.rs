@@ -50,7 +50,8 @@ pub(super) fn meet(
     let speed = a.speed + b.speed;
     // The first step is as long as speeds allow: no place need be looked up for it.
     let gap = (a.frame.start - b.frame.start).length() - (radii[0] + radii[1]);
-    if !(gap > touch.resting) {
+    // NaN, too.
+    if gap.is_nan() || gap <= touch.resting {
         return Glide::Left(0.0);
     }
     let time = (gap - touch.resting) / speed * (1.0 - 1e-9);
@@ -165,8 +166,8 @@ impl Chase<'_, '_> {
                 self.time = (self.time + anyhow).max(until);
                 return (self.time >= 1.0).then_some(Glide::Found(Encounter::Apart));
             }
-            // Not so for NaN.
-            if !(self.looks <= self.allowance && anyhow > 0.0) {
+            let stuck = anyhow.is_nan() || anyhow <= 0.0;
+            if stuck || self.looks > self.allowance {
                 return Some(Glide::Left(self.time));
             }
             let (length, jounce) = self.smooth_window(&here, room);
@@ -256,8 +257,7 @@ impl Chase<'_, '_> {
                 return Some(self.touched(here));
             }
             let rest = forecast.to - self.time;
-            // NaN, too.
-            if !(rest > 0.0 && gap > 0.0) {
+            if rest <= 0.0 || !gap.is_finite() {
                 return None;
             }
             let distance = self.radii + 0.5 * self.touch.meeting;
@@ -289,8 +289,8 @@ impl Chase<'_, '_> {
                     return Some(self.touched(&moment));
                 }
             }
-            // NaN, too.
-            if !(off <= SURE * gap && by > 0.0 && self.looks < self.allowance) {
+            let sure = off <= SURE * gap && by > 0.0;
+            if !sure || self.looks >= self.allowance {
                 return None;
             }
             self.looks += 1;

@@ -113,7 +113,7 @@ mod tests {
             let mut vector = |size: f64| size * (2.0 * DVec3::new(unit(), unit(), unit()) - 1.0);
             let way = [vector(2.0), vector(4.0), vector(6.0), vector(4.0)];
             let at = |x: f64| way[0] + x * (way[1] + x * (way[2] + x * way[3]));
-            let distance = (0.05 + 0.9 * unit()) * way[0].length();
+            let distance = (0.5 + 0.49 * unit()) * way[0].length();
             let close = 1e-9 * distance;
             let sextic = Sextic::of(way, distance);
             let samples = 2000;
