@@ -53,7 +53,7 @@ fn tracks_lie_where_stretches_do_and_tell_where_the_body_is() {
             let stretch = frame.stretch_at(&motion, from);
             let (track, mut near) = frame.track_at(&motion, from);
             assert!(
-                track.to == stretch.to && track.from <= from,
+                track.to.to_bits() == stretch.to.to_bits() && track.from <= from,
                 "case {case}: {track:?} {stretch:?}"
             );
             let width = track.to - from;
@@ -68,7 +68,7 @@ fn tracks_lie_where_stretches_do_and_tell_where_the_body_is() {
                     "case {case}, {fraction} of {track:?}: {off:e}"
                 );
                 let step = 1e-4 * width;
-                if matches!(stretch.course, Course::Curve(_)) && share == 0.5 {
+                if matches!(stretch.course, Course::Curve(_)) && share > 0.4 && share < 0.6 {
                     curves += 1;
                     let later = track.at(fraction + step, &near);
                     let way = (later.position - there.position) / step;
