@@ -152,16 +152,83 @@ impl ArcLength {
         distance: f64,
         near: Near,
     ) -> ((usize, f64), Near) {
+        // Many begin where their paths do. NaN counts as 0.
+        if distance.is_nan() || distance <= 0.0 {
+            return ((0, 0.0), Near(0));
+        }
         match self.fits.get(near.0 as usize) {
             Some(fit) if fit.holds(distance) => ((fit.piece as usize, fit.u_at(distance)), near),
+            Some(fit) if self.is_on(fit.piece as usize, distance) => {
+                let piece = fit.piece as usize;
+                let (u, near) = self.seek(pieces, piece, distance, near);
+                ((piece, u), near)
+            }
             _ => self.find(pieces, distance),
         }
     }
 
+    /// Whether a distance lies on a curve, or where it begins.
+    #[inline]
+    fn is_on(&self, piece: usize, distance: f64) -> bool {
+        self.joints[piece] <= distance && distance < self.joints[piece + 1]
+    }
+
+    /// The curve at `distance`, and where that is or something else is on the curve.
+    #[inline]
+    pub(crate) fn piece_near(&self, distance: f64, near: Near) -> (usize, Near) {
+        match self.fits.get(near.0 as usize) {
+            Some(fit) if self.is_on(fit.piece as usize, distance) => (fit.piece as usize, near),
+            _ => self.span_at(distance),
+        }
+    }
+
+    /// The parameter at a distance that lies on `piece`, from a place near by on that.
+    ///
+    /// From span to span: who follows a curve passes few.
+    #[inline]
+    pub(crate) fn seek(
+        &self,
+        pieces: &[CubicBezier],
+        piece: usize,
+        distance: f64,
+        near: Near,
+    ) -> (f64, Near) {
+        let (first, last) = (self.firsts[piece], self.firsts[piece + 1] - 1);
+        let mut number = near.0.clamp(first, last);
+        while number < last && self.spans[number as usize + 1].start <= distance {
+            number += 1;
+        }
+        while number > first && self.spans[number as usize].start > distance {
+            number -= 1;
+        }
+        let number = Near(number);
+        (self.u_on(pieces, piece, number, distance), number)
+    }
+
     fn find(&self, pieces: &[CubicBezier], distance: f64) -> ((usize, f64), Near) {
+        let (piece, number) = self.span_at(distance);
+        if distance >= self.length {
+            return ((piece, 1.0), number);
+        }
+        let u = self.u_on(pieces, piece, number, distance.max(0.0));
+        ((piece, u), number)
+    }
+
+    /// The parameter at `distance` on a span of `piece`.
+    #[inline]
+    fn u_on(&self, pieces: &[CubicBezier], piece: usize, span: Near, distance: f64) -> f64 {
+        match self.fits.get(span.0 as usize) {
+            Some(fit) if fit.good => fit.u_at(distance),
+            _ => self.spans[span.0 as usize].u_at(&pieces[piece].velocity(), distance),
+        }
+    }
+
+    /// The curve at `distance`, and its span.
+    #[inline]
+    fn span_at(&self, distance: f64) -> (usize, Near) {
         if distance >= self.length {
             let last = self.spans.len().saturating_sub(1);
-            return ((self.joints.len() - 2, 1.0), Near(last as u32));
+            return (self.joints.len() - 2, Near(last as u32));
         }
         let distance = distance.max(0.0);
         let cell = self.cell(distance);
@@ -177,21 +244,16 @@ impl ArcLength {
             first + same_cell.partition_point(|start| *start <= distance)
         };
         let piece = after.saturating_sub(1);
-        let spans = self.spans_of(piece);
         let edges = &self.edges[piece];
         let mut index = edges
             .map(|start| u32::from(start <= distance))
             .iter()
             .sum::<u32>() as usize;
         if index == EDGES {
+            let spans = self.spans_of(piece);
             index = spans.partition_point(|span| span.start <= distance) - 1;
         }
-        let number = self.firsts[piece] as usize + index;
-        let u = match self.fits.get(number) {
-            Some(fit) if fit.good => fit.u_at(distance),
-            _ => spans[index].u_at(&pieces[piece].velocity(), distance),
-        };
-        ((piece, u), Near(number as u32))
+        (piece, Near(self.firsts[piece] + index as u32))
     }
 
     /// The distance at parameter `u` of `piece`; places beyond the ends are clamped.

@@ -282,6 +282,18 @@ impl Spline {
         self.arc_length.locate_near(&self.pieces, distance, near)
     }
 
+    /// The piece at `distance`, which begins there where two meet, and some place on it.
+    #[inline]
+    pub(crate) fn piece_near(&self, distance: f64, near: Near) -> (usize, Near) {
+        self.arc_length.piece_near(distance, near)
+    }
+
+    /// The parameter at a distance that lies on a piece: see [`ArcLength::seek`].
+    #[inline]
+    pub(crate) fn seek(&self, piece: usize, distance: f64, near: Near) -> (f64, Near) {
+        self.arc_length.seek(&self.pieces, piece, distance, near)
+    }
+
     /// The distance at parameter `u` of `piece`: the inverse of
     /// [`locate`](Self::locate). A piece beyond the last counts as the spline's end.
     #[must_use]
@@ -310,6 +322,12 @@ impl Spline {
     #[must_use]
     pub fn position_at(&self, distance: f64) -> DVec3 {
         let (piece, u) = self.locate(distance);
+        self.pieces[piece].point(u)
+    }
+
+    /// The same, to the bit, for who knows [where](Near) another look-up has ended.
+    pub(crate) fn position_near(&self, distance: f64, near: Near) -> DVec3 {
+        let ((piece, u), _) = self.locate_near(distance, near);
         self.pieces[piece].point(u)
     }
 

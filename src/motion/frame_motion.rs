@@ -196,8 +196,11 @@ impl FrameMotion {
         match motion.kind() {
             _ if fraction <= 0.0 => self.start,
             Kind::Along(journey) if self.curved => {
-                let waypoint = self.waypoint(journey, fraction);
-                journey.path.position_at(waypoint.distance)
+                let distance = self.waypoint(journey, fraction).distance;
+                match journey.path.as_spline() {
+                    Some(spline) => spline.position_near(distance, self.near),
+                    None => journey.path.position_at(distance),
+                }
             }
             _ => self.start + self.displacement_between(motion, 0.0, fraction),
         }

@@ -18,6 +18,7 @@ mod spin;
 mod stretch;
 #[cfg(test)]
 mod tests;
+mod track;
 mod turning;
 
 pub use facing::Facing;
@@ -29,4 +30,5 @@ pub use spin::Spin;
 pub(crate) use frame_motion::FrameMotion;
 pub(crate) use passage::{Bend, TurningRate};
 pub(crate) use stretch::{Course, Spot, Stretch};
+pub(crate) use track::{Milestone, Track};
 pub(crate) use turning::Turning;

@@ -2,6 +2,7 @@
 
 use crate::curve::{CubicBezier, Near, Section, Spline};
 use crate::motion::kind::Kind;
+use crate::motion::track::Lap;
 use crate::motion::{FrameMotion, Motion};
 use glam::DVec3;
 
@@ -73,13 +74,14 @@ impl FrameMotion {
         if from >= self.rests_from {
             return until(1.0, Course::Rest);
         }
-        let flown = self.flown_at(journey, from);
-        // To the end of the path or of the frame.
-        let end = self
-            .flown_at(journey, 1.0)
-            .min(self.end_after(journey, from).1);
-        let ([start, end], forward) = journey.lap(flown, end.max(flown));
-        let sense = if forward { 1.0 } else { -1.0 };
+        let Lap {
+            flown,
+            in_all,
+            start,
+            end,
+            sense,
+        } = self.lap_at(journey, from);
+        let forward = sense > 0.0;
         let Some(spline) = journey.path.as_spline() else {
             let velocity = sense * journey.speed * journey.path.tangent_at(0.0);
             return until(self.next_break(motion, from), Course::Straight(velocity));
@@ -99,7 +101,7 @@ impl FrameMotion {
             (end, if piece == index { u } else { u_joint })
         };
         let way = sense * (end - start);
-        let to = if flown + way >= self.flown_at(journey, 1.0) && 1.0 < self.rests_from {
+        let to = if flown + way >= in_all && 1.0 < self.rests_from {
             1.0
         } else {
             from + way / (journey.speed * self.duration)

@@ -2,6 +2,7 @@
 
 use super::advance::Encounter;
 use super::cubic::first_root;
+use super::curved_balls;
 use super::flight::Flight;
 use super::nearness::Nearness;
 use super::parting::{AlignedBoxes, BallAndBox, Balls, Boxes, Hulls, Parted, Parting};
@@ -45,14 +46,22 @@ pub(super) fn glide(
     touch: Nearness,
     steps: &mut usize,
 ) -> Glide {
+    let pair = Pair { a, b, touch };
+    let mut from = 0.0;
+    if let (Shape::Sphere(ball), Shape::Sphere(other)) = (a.shape, b.shape) {
+        let radii = [ball.radius(), other.radius()];
+        match curved_balls::meet((a, b), radii, touch, steps) {
+            Glide::Left(time) => from = time,
+            found @ Glide::Found(_) => return found,
+        }
+    }
     let poses = [a, b].map(|flight| flight.pose_at(0.0));
     let [turned_a, turned_b] = poses.map(|pose| pose.orientation);
-    let pair = Pair { a, b, touch };
     match (a.shape, b.shape) {
         (Shape::Sphere(ball), Shape::Sphere(other)) => {
             let radii = ball.radius() + other.radius();
             let radius = other.radius();
-            pair.search(poses, Balls { radii, radius }, steps)
+            pair.search_from(from, poses, Balls { radii, radius }, steps)
         }
         (Shape::Sphere(ball), Shape::Cuboid(cuboid)) => {
             let parting = BallAndBox::new(ball.radius(), cuboid, turned_b, 1.0);
@@ -113,14 +122,26 @@ impl<'f, 'a> Pair<'f, 'a> {
             *steps += 1;
             return Glide::Found(Encounter::Apart);
         }
-        let stretch = |flight: &'f Flight<'a>| flight.frame.stretch_at(flight.motion, 0.0);
+        self.search_from(0.0, poses, parting, steps)
+    }
+
+    /// From `time` on, until which they are proven apart.
+    #[inline]
+    fn search_from<P: Parting>(
+        self,
+        time: f64,
+        poses: [Pose; 2],
+        mut parting: P,
+        steps: &mut usize,
+    ) -> Glide {
+        let stretch = |flight: &'f Flight<'a>| flight.frame.stretch_at(flight.motion, time);
         let mut search = Search {
             flights: [self.a, self.b],
             turned: poses.map(|pose| pose.orientation),
             stretches: [stretch(self.a), stretch(self.b)],
             parting: &mut parting,
             touch: self.touch,
-            time: 0.0,
+            time,
             hops: 0,
             looks: 0,
             allowance: LOOKS,
