@@ -5,13 +5,9 @@ use glam::DVec3;
 /// Two unit vectors that with the unit vector `direction` form a right-handed
 /// orthonormal frame `(x, y, direction)`.
 ///
-/// Without branches near the poles and continuous but for one half-plane;
-/// Duff et al., *Building an Orthonormal Basis, Revisited* (2017).
+/// Without branches near the poles and continuous but for one half-plane; of another length the
+/// frame is askew. Duff et al., *Building an Orthonormal Basis, Revisited* (2017).
 pub(crate) fn orthonormal(direction: DVec3) -> (DVec3, DVec3) {
-    debug_assert!(
-        (direction.length() - 1.0).abs() < 1e-9,
-        "direction is no unit vector"
-    );
     let sign = 1.0_f64.copysign(direction.z);
     let a = -1.0 / (sign + direction.z);
     let b = direction.x * direction.y * a;

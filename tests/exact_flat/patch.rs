@@ -2,7 +2,7 @@
 
 use crate::bodies::{self, Body, direction, index, log, signed, unit};
 use feeler::narrow_phase::exact::{contact_patch, normal_cone, touch};
-use feeler::{Pose, Shape};
+use feeler::{Cuboid, Pose, Shape};
 use glam::{DQuat, DVec2, DVec3};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
@@ -205,4 +205,19 @@ fn balls_share_a_point_and_one_normal() {
     assert_eq!(normal_cone(&ball, &above, &cube, &below, foot), [DVec3::Z]);
     // Not in touch there.
     assert!(normal_cone(&ball, &above, &cube, &below, DVec3::Z).is_empty());
+}
+
+#[test]
+fn a_normal_of_any_length_says_where_to_look() {
+    let cube = Shape::from(Cuboid::new(DVec3::ONE).unwrap());
+    let above = Pose::at([0.5, 0.25, 2.0]);
+    let patch = |normal| contact_patch(&cube, &above, &cube, &Pose::IDENTITY, normal);
+    let corners = patch(DVec3::Z);
+    assert_eq!(corners.len(), 4);
+    for length in [1e-300, 0.5, 2.0, 1e300] {
+        assert_eq!(patch(length * DVec3::Z), corners);
+    }
+    for none in [DVec3::ZERO, DVec3::NAN, DVec3::INFINITY] {
+        assert!(patch(none).is_empty());
+    }
 }

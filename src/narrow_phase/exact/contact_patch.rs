@@ -10,10 +10,10 @@ use glam::{DVec2, DVec3};
 /// The corners of what two shapes in touch share: a point, both ends of a segment, or a polygon
 /// counter-clockwise seen against the normal.
 ///
-/// The poses are those at the touch, and the normal is the touch's: of unit length, out of
-/// `b` towards `a`. The corners are offsets in metres from `b`'s position, along the world's
+/// The poses are those at the touch, and the normal is the touch's: out of `b` towards `a`, of unit
+/// length, or it is made so; without a direction there are no corners. The corners are offsets in metres from `b`'s position, along the world's
 /// axes, and lie on the surface of `b`. What two faces share that meet by less than rounding may
-/// be a segment or a point; there is always at least one corner.
+/// be a segment or a point; there is always at least one corner otherwise.
 ///
 /// The parts of both bodies that lie farthest along the normal, to within 1e-12 of their radii, cut
 /// with each other (Sutherland & Hodgman, 1974). O(n) for n corners of the two parts beside a
@@ -45,6 +45,9 @@ pub fn contact_patch(
     pose_b: &Pose,
     normal: DVec3,
 ) -> Vec<DVec3> {
+    let Some(normal) = unit(normal) else {
+        return Vec::new();
+    };
     let between = pose_a.position - pose_b.position;
     if let Shape::Sphere(ball) = a {
         return vec![between - ball.radius() * normal];
@@ -86,4 +89,13 @@ pub fn contact_patch(
     (shared.iter())
         .map(|point| centre + origin + (point.x * x + point.y * y))
         .collect()
+}
+
+/// The same direction at unit length; as it is if it has that already but for rounding.
+fn unit(normal: DVec3) -> Option<DVec3> {
+    if (normal.length_squared() - 1.0).abs() < 1e-12 {
+        return Some(normal);
+    }
+    let largest = normal.abs().max_element();
+    (normal / largest).try_normalize()
 }
