@@ -141,3 +141,37 @@ fn an_edge_that_rounding_broke_is_no_face() {
     }
     assert!(broken_ones > 0);
 }
+
+#[test]
+fn a_face_that_rounding_broke_in_its_middle_is_hit_where_both_bodies_are() {
+    // A vertex amid a face stands out by less than tells it from the face: sorted around the middle
+    // with the corners it made a star of them, and the point told lay beside the bodies.
+    use feeler::narrow_phase::exact::{contact_patch, touch};
+    let small = Shape::from(Cuboid::new([0.25, 0.125, 0.25]).unwrap());
+    let (mut broken_ones, motion) = (0, DVec3::new(0.0, 0.0, -2.0));
+    for outwards in [1e-14, 3e-14, 1e-13, 3e-13] {
+        for middle in [[0.0, 0.0], [0.1, -0.05], [-0.3, 0.2], [0.01, 0.01]] {
+            let mut points = Cuboid::new([1.0; 3]).unwrap().vertices().to_vec();
+            points.push(DVec3::new(middle[0], middle[1], 1.0 + outwards));
+            let polytope = Polytope::from_points(points).unwrap();
+            broken_ones += usize::from(polytope.vertices().len() > 8);
+            let shape = Shape::from(polytope);
+            for x in [0.5, 0.9, 1.1, -0.7] {
+                let from = Pose::at([x, 0.5, 2.0]);
+                let found = touch(&small, &from, &shape, &Pose::IDENTITY, motion).unwrap();
+                let point = found.point;
+                let beside = (point - DVec3::new(x, 0.5, 1.0)).abs();
+                assert!(point.abs().max_element() < 1.0 + 1e-12, "{found:?}");
+                assert!(beside.x < 0.25 + 1e-12 && beside.y < 0.125 + 1e-12);
+                let landed = Pose::at(from.position + found.fraction * motion);
+                let patch = contact_patch(&small, &landed, &shape, &Pose::IDENTITY, DVec3::Z);
+                let area: f64 = (0..patch.len())
+                    .map(|i| 0.5 * patch[i].cross(patch[(i + 1) % patch.len()]).z)
+                    .sum();
+                let want = 0.25 * ((x + 0.25).min(1.0) - (x - 0.25).max(-1.0));
+                assert!((area - want).abs() < 1e-11, "{area} {want} {patch:?}");
+            }
+        }
+    }
+    assert!(broken_ones > 4, "{broken_ones}");
+}

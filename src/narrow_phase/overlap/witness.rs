@@ -173,15 +173,51 @@ impl Foremost {
 }
 
 /// The corners of a convex polygon in counter-clockwise order.
+///
+/// What lies amid a face that rounding broke, or on one line with its neighbours, is no corner.
 pub(in crate::narrow_phase) fn around(mut points: Polygon) -> Polygon {
-    if points.len() > 1 {
-        let centre = mean(&points);
-        points.sort_by(|p, q| {
-            let angle = |p: &DVec2| (p.y - centre.y).atan2(p.x - centre.x);
-            angle(p).total_cmp(&angle(q))
-        });
+    if points.len() <= 1 {
+        return points;
+    }
+    let centre = mean(&points);
+    points.sort_by(|p, q| {
+        let angle = |p: &DVec2| (p.y - centre.y).atan2(p.x - centre.x);
+        angle(p).total_cmp(&angle(q))
+    });
+    let count = points.len();
+    let turns_left = |index: usize| {
+        let [p, q, r] = [0, 1, 2].map(|step| points[(index + step) % count]);
+        (q - p).perp_dot(r - q) >= 0.0
+    };
+    if count > 2 && !(0..count).all(turns_left) {
+        return outermost(points);
     }
     points
+}
+
+/// The corners of the convex hull of some points, counter-clockwise; both ends if they lie on one line.
+///
+/// Source: Andrew, *Another Efficient Algorithm for Convex Hulls in Two Dimensions* (1979).
+#[cold]
+fn outermost(mut points: Polygon) -> Polygon {
+    points.sort_by(|p, q| p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y)));
+    let half = |points: &mut dyn Iterator<Item = DVec2>| {
+        let mut chain: Vec<DVec2> = Vec::new();
+        for point in points {
+            while let [.., before, last] = chain[..]
+                && (last - before).perp_dot(point - last) <= 0.0
+            {
+                chain.pop();
+            }
+            chain.push(point);
+        }
+        // The other half begins with the last.
+        chain.pop();
+        chain
+    };
+    let mut corners = half(&mut points.iter().copied());
+    corners.extend(half(&mut points.iter().rev().copied()));
+    corners.into_iter().collect()
 }
 
 fn mean(points: &[DVec2]) -> DVec2 {
@@ -219,6 +255,9 @@ fn centroid(points: &[DVec2]) -> DVec2 {
 /// where the other is nearest to it.
 fn between(a: &[DVec2], b: &[DVec2]) -> DVec2 {
     let (subject, clip) = if a.len() <= b.len() { (a, b) } else { (b, a) };
+    if let ([from, to], [other_from, other_to]) = (subject, clip) {
+        return of_segments([*from, *to], [*other_from, *other_to]);
+    }
     let shared = clipped(subject, clip);
     if !shared.is_empty() {
         return centroid(&shared);
