@@ -117,15 +117,13 @@ fn of_polytope(polytope: &Polytope, direction: DVec3, margin: f64, known: &[u32]
             }
         }
     }
-    if let (Some(edge), Some((face, _))) = (level_edge, best)
-        && !is_level(polytope, face, first, direction, margin)
-    {
-        return Feature::Edge(edge);
-    }
     match (level, level_edge, best) {
         (0, _, _) if proven < 2 && !around.is_empty() => Feature::Vertex(first),
         (1, Some(edge), _) if proven < 3 => Feature::Edge(edge),
         (_, Some(edge), Some((_, most))) if proven < 3 && most < 1.0 - LEVEL => Feature::Edge(edge),
+        (_, Some(edge), Some((face, _))) if !is_level(polytope, face, first, direction, margin) => {
+            Feature::Edge(edge)
+        }
         (_, _, Some((face, _))) => Feature::Face(face),
         _ => Feature::Vertex(first),
     }
