@@ -190,3 +190,41 @@ fn a_ball_beside_a_corner_where_an_edge_begins() {
         }
     }
 }
+
+#[test]
+fn a_thin_triangle_that_all_but_touches_an_edge_is_parted_by_the_normal_told() {
+    // The gap is 3e-14 of the triangle's length: the nearest point of two triangles that make up
+    // the parallelogram between two edges lay on their common diagonal, and the vector to it was
+    // mostly rounding.
+    let triangle = Triangle::new(
+        [-20239.075949891547, 9975.869346368469, 17208.17096928383],
+        [-21513.317121937427, -9941.666101115004, 15472.461789559215],
+        [-21238.710333867366, -5645.250843551767, 15847.093158085429],
+    )
+    .unwrap();
+    let vertices = triangle.vertices();
+    let turn = DQuat::from_xyzw(
+        0.012495107693542255,
+        0.04639436551054855,
+        0.009128374293374217,
+        0.9988033379576584,
+    );
+    let half = DVec3::new(12.854694131901292, 2.260698848477199, 35.11239673136808);
+    let from = DVec3::new(7029605.0848965505, -3637305.3753027823, 5908862.944272771);
+    let to = DVec3::new(7009808.060428541, -3648034.868926506, 5925961.1845439);
+    let found = at(
+        triangle.into(),
+        Pose::new(from, turn),
+        Cuboid::new(half).unwrap().into(),
+        Pose::at(to),
+    )
+    .closest()
+    .unwrap();
+    let lowest = (vertices.iter())
+        .map(|&vertex| ((from - to) + turn * vertex).dot(found.normal))
+        .fold(f64::INFINITY, f64::min);
+    let highest = half.dot(found.normal.abs());
+    let gap = lowest - highest;
+    assert!((gap - found.distance).abs() < 1e-9, "{gap:e} {found:?}");
+    assert!(matches!(found.feature_a, Feature::Edge(_)), "{found:?}");
+}

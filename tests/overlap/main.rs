@@ -17,3 +17,4 @@ mod conventions;
 mod oracle;
 mod planted;
 mod random;
+mod slivers;

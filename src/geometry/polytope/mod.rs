@@ -360,6 +360,11 @@ impl Polytope {
         self.max_dist
     }
 
+    /// The vertices around a face.
+    pub(crate) fn rim(&self, face: u32) -> &[u32] {
+        self.rims.get(face as usize)
+    }
+
     /// Number of a vertex farthest along `direction`, which may have any length.
     ///
     /// One of them if several are equally far to within rounding, and always

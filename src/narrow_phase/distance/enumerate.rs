@@ -39,7 +39,16 @@ pub(super) fn nearest(
     if search.contained() || search.pierced(&near_a, &near_b) {
         return None;
     }
-    search.nearest(&near_a, &near_b)
+    let (simplex, mut nearest) = search.nearest(&near_a, &near_b)?;
+    let height = nearest.square.sqrt();
+    let proven = pair.gap_at(offset, nearest.point / height);
+    if height - pair.radii() - proven > rounding
+        && let Some((gap, normal)) = search.parting(&near_a, &near_b)
+        && gap > proven
+    {
+        nearest.point = height * normal;
+    }
+    Some((simplex, nearest))
 }
 
 impl Near {
@@ -116,6 +125,50 @@ impl Search<'_, '_> {
                 if self.meets(corners.map(|[a, b]| self.point(a, b))) {
                     show(&[[i, k], [j, k], [j, l]]);
                     show(&[[i, k], [i, l], [j, l]]);
+                }
+            }
+        }
+        best
+    }
+
+    /// The plane of a triangle or of two edges along which the bodies are farthest apart, and how far.
+    ///
+    /// Where all but touch the nearest point of such a plane may lie outside of what spans it
+    /// but for rounding, and then the vector to the nearest corner or edge is mostly rounding.
+    fn parting(&self, near_a: &Near, near_b: &Near) -> Option<(f64, DVec3)> {
+        let mut best: Option<(f64, DVec3)> = None;
+        let mut show = |normal: DVec3| {
+            for normal in [normal, -normal] {
+                let gap = self.pair.gap_at(self.offset, normal);
+                if best.is_none_or(|(most, _)| gap > most) {
+                    best = Some((gap, normal));
+                }
+            }
+        };
+        for (body, near) in [(&self.pair.a, near_a), (&self.pair.b, near_b)] {
+            for &triangle in &near.triangles {
+                let [a, b, c] = triangle.map(|vertex| body.vertex(vertex));
+                let frame = if a.distance_squared(b) >= a.distance_squared(c) {
+                    Frame::new(b - a, c - a)
+                } else {
+                    Frame::new(c - a, b - a)
+                };
+                if let Some(frame) = frame {
+                    show(frame.normal);
+                }
+            }
+        }
+        for &[i, j] in &near_a.edges {
+            let along = self.pair.a.vertex(j) - self.pair.a.vertex(i);
+            for &[k, l] in &near_b.edges {
+                let other = self.pair.b.vertex(l) - self.pair.b.vertex(k);
+                let (long, short) = if along.length_squared() >= other.length_squared() {
+                    (along, other)
+                } else {
+                    (other, along)
+                };
+                if let Some(frame) = Frame::new(long, short) {
+                    show(frame.normal);
                 }
             }
         }

@@ -11,6 +11,12 @@ use glam::DVec3;
 /// turned by a hair from a face is taken for part of it.
 const LEVEL: f64 = 1e-12;
 
+/// How many times as far below the others a vertex may lie that is known to be of the feature.
+///
+/// Where bodies all but touch, rounding may take one for a corner of the nearest feature that is
+/// none.
+const KNOWN: f64 = 1e3;
+
 /// The feature that lies farthest along a unit vector of the world; `known` are vertices of it.
 pub(super) fn farthest(body: &Body, direction: DVec3, known: &[u32]) -> Feature {
     let &[first, ref others @ ..] = known else {
@@ -26,8 +32,14 @@ pub(super) fn farthest(body: &Body, direction: DVec3, known: &[u32]) -> Feature 
         Shape::Triangle(triangle) => {
             let heights = body.along_axes(direction);
             let most = heights.max_element();
-            let level =
-                |vertex: u32| known.contains(&vertex) || heights[vertex as usize] >= most - margin;
+            let level = |vertex: u32| {
+                let slack = if known.contains(&vertex) {
+                    KNOWN * margin
+                } else {
+                    margin
+                };
+                heights[vertex as usize] >= most - slack
+            };
             match [level(0), level(1), level(2)] {
                 [true, true, true] => {
                     let [a, b, c] = [0, 1, 2].map(|vertex| body.vertex(vertex));
@@ -109,7 +121,22 @@ fn of_polytope(polytope: &Polytope, direction: DVec3, margin: f64, known: &[u32]
         (0, _, _) if proven < 2 && !around.is_empty() => Feature::Vertex(first),
         (1, Some(edge), _) if proven < 3 => Feature::Edge(edge),
         (_, Some(edge), Some((_, most))) if proven < 3 && most < 1.0 - LEVEL => Feature::Edge(edge),
+        (_, Some(edge), Some((face, _))) if !is_level(polytope, face, first, direction, margin) => {
+            Feature::Edge(edge)
+        }
         (_, _, Some((face, _))) => Feature::Face(face),
         _ => Feature::Vertex(first),
     }
+}
+
+/// Whether no vertex of a face lies far below `highest`, one of those farthest along a unit vector.
+///
+/// Two edges that are as good as one line prove no face. What a face is dented by is far less.
+fn is_level(polytope: &Polytope, face: u32, highest: u32, direction: DVec3, margin: f64) -> bool {
+    let vertices = polytope.vertices();
+    let top = vertices[highest as usize];
+    let coordinate = polytope.centre().abs().max_element();
+    let slack = KNOWN * margin + 256.0 * f64::EPSILON * coordinate;
+    (polytope.rim(face).iter())
+        .all(|&vertex| (top - vertices[vertex as usize]).dot(direction) <= slack)
 }

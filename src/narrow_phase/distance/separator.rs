@@ -73,7 +73,12 @@ impl<'a> Separator<'a> {
     /// `between` leads from B's position to A's, along the world's axes.
     #[must_use]
     pub fn gap(&self, between: DVec3, normal: DVec3) -> f64 {
-        let probe = self.probe_along(self.offset(between), normal, None);
+        self.gap_at(self.offset(between), normal)
+    }
+
+    /// The same, `offset` from B's centre to A's.
+    pub(super) fn gap_at(&self, offset: DVec3, normal: DVec3) -> f64 {
+        let probe = self.probe_along(offset, normal, None);
         normal.dot(probe.point) - self.radii()
     }
 

@@ -3,6 +3,7 @@
 
 use super::pair::Pair;
 use super::{Width, unit};
+use crate::math::exact::doubled_area;
 use glam::DVec3;
 use robust::{Coord3D, orient3d};
 use std::cell::RefCell;
@@ -12,6 +13,10 @@ use std::collections::BinaryHeap;
 /// Points after which the growth gives up. Two hulls of 1000 vertices around
 /// one centre take some thousands.
 const MAX_POINTS: usize = 100_000;
+
+/// Sine of the angle between the two shorter edges below which a face's normal is taken with
+/// twice the digits. Lower, and the plane of a thin face does not go through its far corner.
+const THIN: f64 = 0.1;
 
 /// What the growth came to.
 pub(super) enum Expansion {
@@ -256,14 +261,21 @@ fn normal([a, b, c]: [DVec3; 3]) -> Option<DVec3> {
         b.distance_squared(c),
         c.distance_squared(a),
     ];
-    let cross = if lengths[0] >= lengths[1] && lengths[0] >= lengths[2] {
-        (a - c).cross(b - c)
+    let (first, second) = if lengths[0] >= lengths[1] && lengths[0] >= lengths[2] {
+        (a - c, b - c)
     } else if lengths[1] >= lengths[2] {
-        (b - a).cross(c - a)
+        (b - a, c - a)
     } else {
-        (c - b).cross(a - b)
+        (c - b, a - b)
     };
-    unit(cross)
+    let cross = first.cross(second);
+    let is_thin =
+        cross.length_squared() < THIN * THIN * first.length_squared() * second.length_squared();
+    unit(if is_thin {
+        doubled_area(a, b, c)
+    } else {
+        cross
+    })
 }
 
 impl PartialEq for Nearest {

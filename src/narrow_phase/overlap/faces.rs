@@ -20,6 +20,9 @@ const CROSSING: f64 = 1e-12;
 /// span is thinner than rounding.
 const PARALLEL: f64 = 1e-14;
 
+/// Sine of the angle below which what rounding does to a product of two edges counts.
+const NEARLY: f64 = 1e-2;
+
 /// Share of a hull's radius within which vertices may belong to the feature a
 /// growing polytope found.
 const NEAR: f64 = 1e-7;
@@ -107,11 +110,7 @@ impl Arc {
         {
             return None;
         }
-        let cross = self.along.cross(other.along);
-        if cross.length_squared() < PARALLEL * PARALLEL {
-            return None;
-        }
-        let direction = unit(cross)?;
+        let direction = square_to(self.along, other.along)?;
         let direction = if direction.dot(c + d) < 0.0 {
             -direction
         } else {
@@ -120,6 +119,24 @@ impl Arc {
         // On the same half of the sphere.
         (direction.dot(a + b) >= -CROSSING).then_some(direction)
     }
+}
+
+/// Unit vector square to two unit vectors; none if these are parallel but for rounding.
+///
+/// Where they are nearly so, rounding of their product leads along both of them as well: a
+/// long edge would stick out. That share is taken off; what is left turns about the edges only.
+#[inline]
+fn square_to(a: DVec3, b: DVec3) -> Option<DVec3> {
+    let cross = a.cross(b);
+    let square = cross.length_squared();
+    if square >= NEARLY * NEARLY {
+        return unit(cross);
+    }
+    let mut direction = (square >= PARALLEL * PARALLEL).then(|| unit(cross))??;
+    for _ in 0..2 {
+        direction = unit(direction - direction.dot(a) * a)?;
+    }
+    Some(direction)
 }
 
 /// As many as a triangle has lie in place; hulls come here if all else fails.
@@ -168,10 +185,7 @@ pub(super) fn sharpened(pair: &Pair, near: Width) -> Option<Width> {
         };
         for a in edges_a.iter().filter_map(|&edge| along(&pair.a, edge)) {
             for b in edges_b.iter().filter_map(|&edge| along(&pair.b, edge)) {
-                let cross = a.cross(b);
-                if cross.length_squared() >= PARALLEL * PARALLEL
-                    && let Some(axis) = unit(cross)
-                {
+                if let Some(axis) = square_to(a, b) {
                     let along = axis.dot(near.direction);
                     // Rounding of the points may have turned the direction a little, not more.
                     if along.abs() > 0.5 {

@@ -185,6 +185,25 @@ impl<'a> Hull<'a> {
         }
     }
 
+    /// Whether no vertex of a face lies far below `highest`, one of those farthest along a unit vector.
+    ///
+    /// Two edges that are as good as one line tell no face. Others than a polytope's have no such edges.
+    pub(super) fn is_level(&self, face: u32, highest: u32, direction: DVec3) -> bool {
+        /// Share of the radius: far more than a face is dented by.
+        const DENT: f64 = 1e-9;
+        let Shape::Polytope(polytope) = self.shape else {
+            return true;
+        };
+        let Some(top) = self.local(highest) else {
+            return true;
+        };
+        let local = self.rotation.transpose() * direction;
+        let slack = DENT * self.radius + self.plane_error();
+        (polytope.rim(face).iter())
+            .filter_map(|&vertex| self.local(vertex))
+            .all(|vertex| (top - vertex).dot(local) <= slack)
+    }
+
     /// Outward normals of a triangle's edges, in its plane; none for a solid.
     ///
     /// Half way from one side of the triangle to the other, where its edges

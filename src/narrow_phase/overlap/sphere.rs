@@ -265,7 +265,21 @@ pub(super) fn to_polytope(centre: DVec3, polytope: &Polytope, reach: f64) -> Opt
             }
         }
     }
-    Some(on_edge(polytope, best.1, centre))
+    let nearest = on_edge(polytope, best.1, centre);
+    let reach = centre.abs().max_element() + polytope.max_dist();
+    let farthest = best.0.sqrt() - 16.0 * f64::EPSILON * reach;
+    if nearest.distance >= farthest {
+        return Some(nearest);
+    }
+    // Close to a corner edges with little between them are as near but for rounding, and the plane
+    // across another one parts the two farther.
+    let most = farthest + 32.0 * f64::EPSILON * reach;
+    (0..)
+        .zip(polytope.edges())
+        .filter(|(_, edge)| distance_squared(polytope, edge, centre) <= most * most)
+        .map(|(index, _)| on_edge(polytope, index, centre))
+        .chain([nearest])
+        .max_by(|a, b| a.distance.total_cmp(&b.distance))
 }
 
 /// Whether the foot of `point` on a face's plane lies in the face.

@@ -52,7 +52,7 @@ impl Pair<'_> {
                 [*from, *to].map(|vertex| flat(&self.a, vertex)),
                 [*other_from, *other_to].map(|vertex| flat(&self.b, vertex)),
             ),
-            _ => middle(
+            _ => between(
                 &corners(&self.a, &vertices_a),
                 &corners(&self.b, &vertices_b),
             ),
@@ -84,7 +84,7 @@ fn feature(hull: &Hull, direction: DVec3) -> (Feature, Vertices) {
     let bit = |vertex: u32| 1_u64.checked_shl(vertex).unwrap_or(0);
     let first_ones = vertices.iter().fold(0, |bits, &vertex| bits | bit(vertex));
     let mut first = None;
-    let mut is_face = false;
+    let (mut is_face, mut is_level) = (false, false);
     let mut faces = Foremost {
         direction,
         best: None,
@@ -111,9 +111,11 @@ fn feature(hull: &Hull, direction: DVec3) -> (Feature, Vertices) {
             // would have to be fetched.
             if vertices.len() == 3 && thrice.is_power_of_two() {
                 faces.see(hull, thrice.trailing_zeros());
+                is_level = true;
             }
             if faces.best.is_none_or(|(along, _)| along < 1.0 - ALONG) {
                 sketch::numbers(once).for_each(|face| faces.see(hull, face));
+                is_level = false;
             }
         }
     } else {
@@ -130,11 +132,27 @@ fn feature(hull: &Hull, direction: DVec3) -> (Feature, Vertices) {
         }
     }
     let feature = match (first, faces.best) {
-        (Some(_), Some((_, face))) if is_face => Feature::Face(face),
+        (Some(_), Some((_, face)))
+            if is_face && (is_level || hull.is_level(face, vertices[0], direction)) =>
+        {
+            Feature::Face(face)
+        }
+        (Some(edge), _) if is_face => Feature::Edge(longest(hull, &vertices).unwrap_or(edge)),
         (Some(edge), _) => Feature::Edge(edge),
         (None, _) => Feature::Vertex(vertices.first().copied().unwrap_or(0)),
     };
     (feature, vertices)
+}
+
+/// The longest edge between some vertices, of several on one line: an edge that rounding broke.
+fn longest(hull: &Hull, vertices: &[u32]) -> Option<u32> {
+    let is_inside = |vertex: &u32| vertices.binary_search(vertex).is_ok();
+    (0..)
+        .zip(hull.edges())
+        .filter(|(_, edge)| edge.vertices.iter().all(is_inside))
+        .map(|(index, edge)| (hull.edge_vector(edge.vertices).length_squared(), index))
+        .max_by(|(a, _), (b, _)| a.total_cmp(b))
+        .map(|(_, index)| index)
 }
 
 /// Of the faces shown to it the one that looks most along a direction.
@@ -155,15 +173,51 @@ impl Foremost {
 }
 
 /// The corners of a convex polygon in counter-clockwise order.
+///
+/// What lies amid a face that rounding broke, or on one line with its neighbours, is no corner.
 pub(in crate::narrow_phase) fn around(mut points: Polygon) -> Polygon {
-    if points.len() > 1 {
-        let centre = mean(&points);
-        points.sort_by(|p, q| {
-            let angle = |p: &DVec2| (p.y - centre.y).atan2(p.x - centre.x);
-            angle(p).total_cmp(&angle(q))
-        });
+    if points.len() <= 1 {
+        return points;
+    }
+    let centre = mean(&points);
+    points.sort_by(|p, q| {
+        let angle = |p: &DVec2| (p.y - centre.y).atan2(p.x - centre.x);
+        angle(p).total_cmp(&angle(q))
+    });
+    let count = points.len();
+    let turns_left = |index: usize| {
+        let [p, q, r] = [0, 1, 2].map(|step| points[(index + step) % count]);
+        (q - p).perp_dot(r - q) >= 0.0
+    };
+    if count > 2 && !(0..count).all(turns_left) {
+        return outermost(points);
     }
     points
+}
+
+/// The corners of the convex hull of some points, counter-clockwise; both ends if they lie on one line.
+///
+/// Source: Andrew, *Another Efficient Algorithm for Convex Hulls in Two Dimensions* (1979).
+#[cold]
+fn outermost(mut points: Polygon) -> Polygon {
+    points.sort_by(|p, q| p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y)));
+    let half = |points: &mut dyn Iterator<Item = DVec2>| {
+        let mut chain: Vec<DVec2> = Vec::new();
+        for point in points {
+            while let [.., before, last] = chain[..]
+                && (last - before).perp_dot(point - last) <= 0.0
+            {
+                chain.pop();
+            }
+            chain.push(point);
+        }
+        // The other half begins with the last.
+        chain.pop();
+        chain
+    };
+    let mut corners = half(&mut points.iter().copied());
+    corners.extend(half(&mut points.iter().rev().copied()));
+    corners.into_iter().collect()
 }
 
 fn mean(points: &[DVec2]) -> DVec2 {
@@ -195,6 +249,36 @@ fn centroid(points: &[DVec2]) -> DVec2 {
     } else {
         0.5 * (end + farthest(end))
     }
+}
+
+/// A point that two features share; if rounding keeps them apart, half way from a corner of one to
+/// where the other is nearest to it.
+fn between(a: &[DVec2], b: &[DVec2]) -> DVec2 {
+    let (subject, clip) = if a.len() <= b.len() { (a, b) } else { (b, a) };
+    if let ([from, to], [other_from, other_to]) = (subject, clip) {
+        return of_segments([*from, *to], [*other_from, *other_to]);
+    }
+    let shared = clipped(subject, clip);
+    if !shared.is_empty() {
+        return centroid(&shared);
+    }
+    let mut best = (f64::INFINITY, DVec2::ZERO);
+    for (corners, other) in [(a, b), (b, a)] {
+        for &corner in corners {
+            for (index, &from) in other.iter().enumerate() {
+                let along = other[(index + 1) % other.len()] - from;
+                let share = (corner - from).dot(along) / along.length_squared();
+                // Of an edge without length the share is NaN.
+                let share = if share > 0.0 { share.min(1.0) } else { 0.0 };
+                let foot = from + share * along;
+                let distance = foot.distance_squared(corner);
+                if distance < best.0 {
+                    best = (distance, 0.5 * (foot + corner));
+                }
+            }
+        }
+    }
+    best.1
 }
 
 /// A point that two convex point sets share: points, segments or polygons.
