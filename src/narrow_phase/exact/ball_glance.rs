@@ -251,7 +251,7 @@ mod tests {
             }
         }
         assert!(
-            over > 4_000 && beyond > 20_000 && miss > 2_000,
+            over > 4_000 && beyond > 20_000 && miss > 400,
             "{over} {beyond} {miss}"
         );
     }

@@ -93,7 +93,7 @@ impl Cast<'_> {
         match glance(self.polytope, &self.line, self.radius) {
             Glance::Miss => None,
             Glance::Over { face, fraction } => Some(Piece::Face { face, fraction }),
-            Glance::Beyond { edge } => self.from(edge, self.meet(edge)),
+            Glance::Beyond { edge } => self.onwards(edge, self.meet(edge)),
             Glance::Unclear => self.carefully(),
         }
     }
@@ -102,13 +102,13 @@ impl Cast<'_> {
     #[inline(never)]
     fn carefully(&self) -> Option<Piece> {
         match self.onto(start(self)?, None, None)? {
-            Piece::Edge { edge, meeting } => self.from(edge, meeting),
+            Piece::Edge { edge, meeting } => self.onwards(edge, meeting),
             face @ Piece::Face { .. } => Some(face),
         }
     }
 
     /// The first touch, by way of one with an edge near to it.
-    fn from(&self, mut edge: u32, mut best: Meeting) -> Option<Piece> {
+    fn onwards(&self, mut edge: u32, mut best: Meeting) -> Option<Piece> {
         let leans = loop {
             match self.step(edge, &best) {
                 Step::To(Piece::Edge {
