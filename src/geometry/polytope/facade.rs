@@ -1,4 +1,4 @@
-//! The faces of a small polytope once more, as a ray looks at them.
+//! The faces of a small polytope once more, as a ray or a ball looks at them.
 
 use super::Polytope;
 use super::sketch::{self, Planes, Sketch};
@@ -10,6 +10,7 @@ use glam::DVec3;
 pub(crate) struct Facade {
     /// Four by four; the last four are filled up with planes that nothing lies before.
     planes: Vec<Planes>,
+    reach: f64,
     square_of_reach: f64,
     margin: f32,
 }
@@ -18,9 +19,9 @@ impl Facade {
     /// By how much the planes are moved out, as a share of the reach: of how far the farthest vertex
     /// lies from the frame's origin.
     ///
-    /// Twice what rounding adds up to, in units of 6e-8: 25 for turning a vector, 5 for its product
+    /// For a ray twice what rounding adds up to, in units of 6e-8: 25 for turning a vector, 5 for its product
     /// with a normal, of the ray's point nearest to the origin and of the way from there, and 5 for the
-    /// plane and the quotient.
+    /// plane and the quotient. A ball adds as large a share of its radius, and is turned with more digits.
     pub(crate) const PAD: f64 = 8e-6;
 
     /// How far within all other faces a point counts as one of a face, as a share of the reach: fifty times what
@@ -52,9 +53,16 @@ impl Facade {
         });
         Self {
             planes: planes.collect(),
+            reach,
             square_of_reach: reach * reach,
             margin: (Self::MARGIN * reach) as f32,
         }
+    }
+
+    /// How far from the frame's origin all vertices surely lie; 0 if there are no planes.
+    #[inline]
+    pub(crate) fn reach(&self) -> f64 {
+        self.reach
     }
 
     /// Of the reach, which no vertex comes near to by a millionth of it; 0 if there are no planes.
@@ -73,6 +81,15 @@ impl Facade {
     #[inline]
     pub(crate) fn planes(&self) -> &[Planes] {
         &self.planes
+    }
+}
+
+#[cfg(test)]
+impl Polytope {
+    /// The same, to be looked at without it.
+    pub(crate) fn without_facade(mut self) -> Self {
+        self.facade = Facade::default();
+        self
     }
 }
 

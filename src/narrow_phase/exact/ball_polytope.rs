@@ -10,6 +10,7 @@
 
 use super::ball_approach::normal;
 use super::ball_capsule::{Meeting, Place, meet};
+use super::ball_glance::{Glance, glance};
 use super::ball_line::{Line, Touch};
 use super::ball_start::{Landing, landing, start};
 use super::ball_triangle::foot_on;
@@ -89,10 +90,25 @@ impl Cast<'_> {
     }
 
     fn first(&self) -> Option<Piece> {
-        let (mut edge, mut best) = match self.onto(start(self)?, None, None)? {
-            Piece::Edge { edge, meeting } => (edge, meeting),
-            face @ Piece::Face { .. } => return Some(face),
-        };
+        match glance(self.polytope, &self.line, self.radius) {
+            Glance::Miss => None,
+            Glance::Over { face, fraction } => Some(Piece::Face { face, fraction }),
+            Glance::Beyond { edge } => self.onwards(edge, self.meet(edge)),
+            Glance::Unclear => self.carefully(),
+        }
+    }
+
+    /// What [`first`](Self::first) finds where there is nothing to be seen at first sight.
+    #[inline(never)]
+    fn carefully(&self) -> Option<Piece> {
+        match self.onto(start(self)?, None, None)? {
+            Piece::Edge { edge, meeting } => self.onwards(edge, meeting),
+            face @ Piece::Face { .. } => Some(face),
+        }
+    }
+
+    /// The first touch, by way of one with an edge near to it.
+    fn onwards(&self, mut edge: u32, mut best: Meeting) -> Option<Piece> {
         let leans = loop {
             match self.step(edge, &best) {
                 Step::To(Piece::Edge {

@@ -15,6 +15,7 @@ mod ball_ball;
 mod ball_capsule;
 mod ball_crossing;
 mod ball_cuboid;
+mod ball_glance;
 mod ball_line;
 mod ball_polytope;
 mod ball_start;
