@@ -86,19 +86,21 @@ pub fn touch(
     if let (Shape::Sphere(a), Shape::Sphere(b)) = (a, b) {
         return two_balls(a.radius(), b.radius(), -between, motion);
     }
-    touch_of(a, pose_a, b, pose_b, &motion)
+    touch_of(a, pose_a, b, pose_b, motion.x, motion.y, motion.z)
 }
 
-/// [`touch`] of any two shapes. A function of its own: its registers would be saved for two balls too, a
-/// tenth of their time.
-#[inline(never)]
+/// [`touch`] of any two shapes. The motion comes in single numbers: as a vector it would go
+/// through memory for two balls as well.
 fn touch_of(
     a: &Shape,
     pose_a: &Pose,
     b: &Shape,
     pose_b: &Pose,
-    &motion: &DVec3,
+    x: f64,
+    y: f64,
+    z: f64,
 ) -> Option<Touching> {
+    let motion = DVec3::new(x, y, z);
     let between = pose_a.position - pose_b.position;
     match (a, b) {
         (Shape::Sphere(ball), _) => ball_touch(ball, between, b, pose_b.orientation, motion),
