@@ -23,7 +23,7 @@ pub use cuboid::Cuboid;
 pub use feature::Feature;
 pub use obb::Obb;
 pub use polytope::{Edge, Face, Polytope};
-pub(crate) use polytope::{Facade, LANES, Lanes, sketch};
+pub(crate) use polytope::{Facade, FourTimes, LANES, Lanes, sketch};
 pub use pose::Pose;
 pub use ray::Ray;
 pub use shape::Shape;

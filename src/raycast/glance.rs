@@ -7,7 +7,7 @@
 //! surface or inside are left to the [walk](super::walk).
 
 use super::SurfacePoint;
-use crate::geometry::{Facade, Feature, Polytope, Pose, Ray};
+use crate::geometry::{Facade, Feature, FourTimes, Polytope, Pose, Ray};
 use glam::{DQuat, DVec3, Vec4};
 
 /// How far the hit may lie from where it was found, as a share of the reach: a quarter of
@@ -28,14 +28,6 @@ pub(super) enum Glance {
     Hit(SurfacePoint),
     Miss,
     Unclear,
-}
-
-/// Four times the same.
-type Same = [Vec4; 3];
-
-#[inline(always)]
-fn heights(&[x, y, z, _]: &[Vec4; 4], &[p, q, r]: &Same) -> Vec4 {
-    x * p + y * q + z * r
 }
 
 /// The ray's first hit with a polytope that stands at `pose`.
@@ -87,7 +79,7 @@ pub(super) fn glance(polytope: &Polytope, pose: &Pose, ray: &Ray) -> Glance {
 
 /// Two vectors of the world in the body's frame.
 #[inline(always)]
-fn turned_back(orientation: DQuat, vectors: [DVec3; 2]) -> [Same; 2] {
+fn turned_back(orientation: DQuat, vectors: [DVec3; 2]) -> [FourTimes; 2] {
     let axis = -orientation.xyz().as_vec3a();
     let share = orientation.w as f32;
     vectors.map(|vector| {
@@ -101,13 +93,13 @@ fn turned_back(orientation: DQuat, vectors: [DVec3; 2]) -> [Same; 2] {
 /// The fractions between which the line that was `from` somewhere and comes `against` the way it goes lies behind all
 /// planes; if the first is the larger, it passes them by.
 #[inline(always)]
-fn span(facade: &Facade, from: &Same, against: &Same) -> (f32, f32) {
+fn span(facade: &Facade, from: &FourTimes, against: &FourTimes) -> (f32, f32) {
     let (mut enter, mut leave) = (Vec4::NEG_INFINITY, Vec4::INFINITY);
     for plane in facade.planes() {
         // How fast the line nears the plane. Along the plane it is 0, and the fraction infinite on
         // the right side; NaN if the line lies in the plane that was moved out, which is a miss, found or not.
-        let rate = heights(plane, against);
-        let fraction = (heights(plane, from) - plane[3]) / rate;
+        let rate = Facade::heights(plane, against);
+        let fraction = (Facade::heights(plane, from) - plane[3]) / rate;
         // The fraction is the one or the other, and in the other's place an infinity says nothing:
         // no mask is needed.
         let side = Vec4::INFINITY.copysign(rate);
@@ -119,13 +111,13 @@ fn span(facade: &Facade, from: &Same, against: &Same) -> (f32, f32) {
 
 /// The only face that the line's point at a fraction lies near to, or beyond, if there is one.
 #[inline(always)]
-fn face_at(facade: &Facade, from: &Same, against: &Same, fraction: f32) -> Option<u32> {
+fn face_at(facade: &Facade, from: &FourTimes, against: &FourTimes, fraction: f32) -> Option<u32> {
     let ([p, q, r], [x, y, z]) = (*from, *against);
     let point = [p - fraction * x, q - fraction * y, r - fraction * z];
     let margin = Vec4::splat(facade.margin());
     let mut near = 0_u32;
     for plane in facade.planes().iter().rev() {
-        let room = plane[3] - heights(plane, &point);
+        let room = plane[3] - Facade::heights(plane, &point);
         near = near << 4 | room.cmplt(margin).bitmask();
     }
     (near.count_ones() == 1).then_some(near.trailing_zeros())

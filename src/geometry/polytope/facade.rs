@@ -2,7 +2,10 @@
 
 use super::Polytope;
 use super::sketch::{self, Planes, Sketch};
-use glam::DVec3;
+use glam::{DVec3, Vec4};
+
+/// Four times the same vector.
+pub(crate) type FourTimes = [Vec4; 3];
 
 /// The planes of a small polytope in its own frame, in single precision and moved out by
 /// [`PAD`](Self::PAD), so that all of the body lies behind them whatever rounding does.
@@ -77,6 +80,12 @@ impl Facade {
         self.margin
     }
 
+    /// How far along the normals of four planes a vector leads.
+    #[inline(always)]
+    pub(crate) fn heights(&[x, y, z, _]: &Planes, &[p, q, r]: &FourTimes) -> Vec4 {
+        x * p + y * q + z * r
+    }
+
     /// The faces, four by four, in the order of their numbers.
     #[inline]
     pub(crate) fn planes(&self) -> &[Planes] {
@@ -96,7 +105,6 @@ impl Polytope {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use glam::Vec4;
 
     /// Points on a spiral around a sphere.
     fn hull(count: u32, shift: f64) -> Polytope {

@@ -21,7 +21,7 @@ use crate::math::domain;
 use crate::tolerance::MAX_LENGTH;
 use bounding_sphere::bounding_sphere;
 use edge_map::EdgeMap;
-pub(crate) use facade::Facade;
+pub(crate) use facade::{Facade, FourTimes};
 use face_map::FaceMap;
 use faces::Faces;
 use glam::DVec3;

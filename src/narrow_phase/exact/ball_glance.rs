@@ -1,7 +1,7 @@
 //! A ball's first look at a small polytope, all faces side by side in single precision.
 
 use super::ball_line::Line;
-use crate::geometry::{Facade, Polytope};
+use crate::geometry::{Facade, FourTimes, Polytope};
 use glam::{DVec3, Vec4};
 
 /// How far the centre may lie from where it was found, as a share of the pair's size: a quarter of the margin, the
@@ -26,16 +26,8 @@ pub(super) enum Glance {
     Unclear,
 }
 
-/// Four times the same.
-type Same = [Vec4; 3];
-
 #[inline(always)]
-fn heights(&[x, y, z, _]: &[Vec4; 4], &[p, q, r]: &Same) -> Vec4 {
-    x * p + y * q + z * r
-}
-
-#[inline(always)]
-fn same(vector: DVec3) -> Same {
+fn same(vector: DVec3) -> FourTimes {
     vector.as_vec3().to_array().map(Vec4::splat)
 }
 
@@ -59,8 +51,8 @@ pub(super) fn glance(polytope: &Polytope, line: &Line, radius: f64) -> Glance {
     let (mut enter, mut leave) = (Vec4::NEG_INFINITY, Vec4::INFINITY);
     for (plane, own) in planes.iter().zip(&mut each) {
         // As a ray's: along the plane the fraction is infinite on the right side, or NaN, which changes nothing.
-        let rate = heights(plane, &against);
-        let fraction = (heights(plane, &from) - (plane[3] + grown)) / rate;
+        let rate = Facade::heights(plane, &against);
+        let fraction = (Facade::heights(plane, &from) - (plane[3] + grown)) / rate;
         let side = Vec4::INFINITY.copysign(rate);
         *own = side.min(fraction);
         enter = own.max(enter);
@@ -97,7 +89,7 @@ pub(super) fn glance(polytope: &Polytope, line: &Line, radius: f64) -> Glance {
     let margin = facade.margin() + (Facade::MARGIN * radius) as f32;
     let mut near = 0_u32;
     for ((plane, room), shift) in planes.iter().zip(&mut each).zip((0..).step_by(4)) {
-        *room = plane[3] - heights(plane, &foot);
+        *room = plane[3] - Facade::heights(plane, &foot);
         near |= room.cmplt(Vec4::splat(margin)).bitmask() << shift;
     }
     if near & !(1 << face) == 0 {
