@@ -37,15 +37,9 @@ pub(super) fn of_cuboid(line: &Line, cuboid: &Cuboid, radius: f64) -> Option<Tou
 }
 
 /// Whether the line surely passes by the sphere around the box, however that is turned.
-///
-/// Compares squares, and gives away more than all rounding takes: a line that does pass by begins outside the
-/// sphere, where the slack is a share of the distance.
 #[inline(always)]
 pub(super) fn passes_by(line: &Line, cuboid: &Cuboid, radius: f64) -> bool {
-    let reach = cuboid.half_extents().length() + radius;
-    let along = line.origin.dot(line.direction);
-    let distance = line.origin.length_squared() * (1.0 - 512.0 * f64::EPSILON);
-    (distance - reach * reach) * line.square > along * along
+    line.passes_by_all(cuboid.half_extents().length() + radius)
 }
 
 /// [`of_cuboid`] of a line that comes near.

@@ -74,6 +74,18 @@ impl Line {
         (distance - reach * reach) * self.square > along * along
     }
 
+    /// Whether the line surely passes by all that lies within `reach` of the frame's origin, with what
+    /// rounding may carry it.
+    ///
+    /// A line that does begins outside that sphere, where the slack is a share of the distance: one factor
+    /// takes it in.
+    #[inline(always)]
+    pub(super) fn passes_by_all(&self, reach: f64) -> bool {
+        let along = self.origin.dot(self.direction);
+        let distance = self.origin.length_squared() * (1.0 - 512.0 * f64::EPSILON);
+        (distance - reach * reach) * self.square > along * along
+    }
+
     /// The line in the frame that `rotation` leads from.
     #[inline]
     pub(super) fn turned(&self, rotation: &DMat3) -> Self {

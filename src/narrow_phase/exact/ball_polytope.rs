@@ -46,7 +46,9 @@ pub(super) fn of_polytope(line: &Line, polytope: &Polytope, radius: f64) -> Opti
     let offset = line.origin - centre;
     let size = centre.abs().max_element() + polytope.max_dist() + radius;
     let slack = line.slack(size);
-    if line.passes_by(offset, polytope.max_dist() + radius + 4.0 * slack) {
+    // Of small ones a glance tells as soon.
+    let is_large = polytope.facade().planes().is_empty();
+    if is_large && line.passes_by(offset, polytope.max_dist() + radius + 4.0 * slack) {
         return None;
     }
     let middle = -offset.dot(line.direction) / line.square;

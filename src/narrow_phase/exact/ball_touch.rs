@@ -6,7 +6,7 @@ use super::ball_cuboid::{of_cuboid, of_near_cuboid, passes_by};
 use super::ball_line::{Line, Touch};
 use super::ball_polytope::of_polytope;
 use super::ball_triangle::of_triangle;
-use crate::geometry::{Shape, Sphere};
+use crate::geometry::{Cuboid, Shape, Sphere};
 use glam::{DMat3, DQuat, DVec3};
 
 /// How a ball that moves straight comes to touch a shape that stands.
@@ -40,19 +40,49 @@ pub fn ball_touch(
     motion: DVec3,
 ) -> Option<Touching> {
     let radius = sphere.radius();
-    let world = Line::new(position, motion)?;
-    if let Shape::Sphere(other) = shape {
-        return world.touching(of_ball(&world, [radius, other.radius()])?);
+    match shape {
+        Shape::Sphere(other) => {
+            let line = Line::new(position, motion)?;
+            line.touching(of_ball(&line, [radius, other.radius()])?)
+        }
+        Shape::Cuboid(cuboid) => at_cuboid(radius, position, cuboid, orientation, motion),
+        _ => at_vertices(radius, position, shape, orientation, motion),
     }
-    // All in one for boxes, the quickest of these: calls would send lines and touches through memory.
-    if let Shape::Cuboid(cuboid) = shape {
-        // In most misses it need not even be known how the box is turned.
-        if passes_by(&world, cuboid, radius) {
+}
+
+/// All in one for boxes, the quickest of these: calls would send lines and touches through memory.
+#[inline(never)]
+fn at_cuboid(
+    radius: f64,
+    position: DVec3,
+    cuboid: &Cuboid,
+    orientation: DQuat,
+    motion: DVec3,
+) -> Option<Touching> {
+    let world = Line::new(position, motion)?;
+    // In most misses it need not even be known how the box is turned.
+    if passes_by(&world, cuboid, radius) {
+        return None;
+    }
+    turned(&world, orientation, |line| {
+        of_near_cuboid(line, cuboid, radius)
+    })
+}
+
+#[inline(never)]
+fn at_vertices(
+    radius: f64,
+    position: DVec3,
+    shape: &Shape,
+    orientation: DQuat,
+    motion: DVec3,
+) -> Option<Touching> {
+    let world = Line::new(position, motion)?;
+    if let Shape::Polytope(polytope) = shape {
+        let reach = polytope.facade().reach();
+        if reach > 0.0 && world.passes_by_all(reach + radius) {
             return None;
         }
-        return turned(&world, orientation, |line| {
-            of_near_cuboid(line, cuboid, radius)
-        });
     }
     turned(&world, orientation, |line| first(line, shape, radius))
 }
