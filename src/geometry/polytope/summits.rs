@@ -1,8 +1,9 @@
 //! For every direction the few vertices that may be farthest along it, roughly.
 
 use super::Lanes;
+use super::sketch::transposed;
 use super::support::{Seen, Support};
-use glam::DVec3;
+use glam::{DVec3, Vec4};
 
 /// Vertices that a cell has room for: twice as many as there are as a rule.
 const ROOM: usize = 8;
@@ -88,18 +89,17 @@ impl Summits {
     /// cell has no room for all that may be.
     #[inline(always)]
     pub(crate) fn highest(&self, direction: [f32; 3]) -> Option<(u32, [f32; 3])> {
-        let [x, y, z] = direction;
         let places = self.places.as_deref()?;
         let cell = self.cells.get(self.cell(direction))?;
-        let mut heights = [[0.0; 4]; ROOM / 4];
-        for (four, heights) in cell.chunks_exact(4).zip(&mut heights) {
-            for (&vertex, height) in four.iter().zip(heights) {
-                let [p, q, r, _] = places[usize::from(vertex)].0;
-                *height = x * p + y * q + z * r;
-            }
-        }
-        let place = Lanes::number_of_highest(heights.iter().copied(), direction) as usize % ROOM;
-        let vertex = cell[place];
+        let [x, y, z] = direction.map(Vec4::splat);
+        let heights = |four: [u8; 4]| {
+            let [p, q, r, _] =
+                transposed(four.map(|vertex| Vec4::from_array(places[usize::from(vertex)].0)));
+            x * p + y * q + z * r
+        };
+        let [a, b, c, d, e, f, g, h] = *cell;
+        let heights = [heights([a, b, c, d]), heights([e, f, g, h])];
+        let vertex = cell[Lanes::first_of_highest(&heights) as usize % ROOM];
         let [x, y, z, _] = places[usize::from(vertex)].0;
         (cell[0] | cell[1] != 0).then_some((u32::from(vertex), [x, y, z]))
     }

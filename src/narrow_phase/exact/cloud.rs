@@ -45,48 +45,35 @@ pub(super) trait Cloud {
     fn farthest(&self, direction: Vector) -> (u32, Vector);
 }
 
-/// All of a body's vertices, turned.
-pub(super) struct Turned<const N: usize> {
-    blocks: [Lanes; N],
-    count: usize,
+/// Where it lies: a copy would cost as much as what is done with it.
+impl<C: Cloud> Cloud for &C {
+    #[inline(always)]
+    fn farthest(&self, direction: Vector) -> (u32, Vector) {
+        C::farthest(self, direction)
+    }
 }
 
-impl<const N: usize> Turned<N> {
-    pub(super) const EMPTY: Self = Self {
-        blocks: [Lanes::NONE; N],
-        count: 0,
-    };
+/// All of a body's vertices, turned; blocks left over repeat the first.
+pub(super) struct Turned<const N: usize>([Lanes; N]);
 
+impl<const N: usize> Turned<N> {
     #[inline(always)]
-    pub(super) fn fill(&mut self, list: &[Lanes], turn: &Turn) {
-        for (block, lanes) in self.blocks.iter_mut().zip(list) {
-            *block = lanes.turned(&turn.columns, turn.shift);
+    pub(super) fn of(list: &[Lanes], turn: &Turn) -> Self {
+        let turned = |lanes: &Lanes| lanes.turned(&turn.columns, turn.shift);
+        let mut lists = list.iter();
+        let mut blocks = [lists.next().map_or(Lanes::NONE, turned); N];
+        for (block, lanes) in blocks.iter_mut().skip(1).zip(lists) {
+            *block = turned(lanes);
         }
-        self.count = list.len().min(N);
+        Self(blocks)
     }
 }
 
 impl<const N: usize> Cloud for Turned<N> {
     #[inline(always)]
     fn farthest(&self, direction: Vector) -> (u32, Vector) {
-        let blocks = &self.blocks[..self.count];
-        let vertex = Lanes::highest(blocks, direction);
-        (vertex, Lanes::place(blocks, vertex))
-    }
-}
-
-/// Few vertices not turned yet.
-pub(super) struct Unturned<'a> {
-    pub(super) list: &'a [Lanes],
-    pub(super) turn: Turn,
-}
-
-impl Cloud for Unturned<'_> {
-    #[inline(always)]
-    fn farthest(&self, direction: Vector) -> (u32, Vector) {
-        let vertex = Lanes::highest(self.list, self.turn.back(direction));
-        let place = Lanes::place(self.list, vertex);
-        (vertex, self.turn.of(place))
+        let vertex = Lanes::highest_of(&self.0, direction);
+        (vertex, Lanes::place(&self.0, vertex))
     }
 }
 
@@ -99,19 +86,22 @@ pub(super) struct Many<'a> {
 impl Cloud for Many<'_> {
     #[inline(always)]
     fn farthest(&self, direction: Vector) -> (u32, Vector) {
-        let local = self.turn.back(direction);
-        let summits = self.polytope.summits();
-        let (vertex, place) = (summits.highest(local)).unwrap_or_else(|| self.climb(local));
+        let (vertex, place) = farthest_of_many(self.polytope, self.turn.back(direction));
         (vertex, self.turn.of(place))
     }
 }
 
-impl Many<'_> {
-    #[cold]
-    fn climb(&self, direction: Vector) -> (u32, Vector) {
-        let polytope = self.polytope;
-        let vertex = polytope.support(DVec3::from(direction.map(f64::from)));
-        let from = polytope.vertices()[vertex as usize] - polytope.centre();
-        (vertex, single(from / polytope.max_dist()))
-    }
+/// A vertex that is farthest along a direction of the polytope's own frame, or nearly, and where it is from the
+/// centre, in shares of the radius.
+#[inline(always)]
+pub(super) fn farthest_of_many(polytope: &Polytope, direction: Vector) -> (u32, Vector) {
+    let found = polytope.summits().highest(direction);
+    found.unwrap_or_else(|| climb(polytope, direction))
+}
+
+#[cold]
+fn climb(polytope: &Polytope, direction: Vector) -> (u32, Vector) {
+    let vertex = polytope.support(DVec3::from(direction.map(f64::from)));
+    let from = polytope.vertices()[vertex as usize] - polytope.centre();
+    (vertex, single(from / polytope.max_dist()))
 }

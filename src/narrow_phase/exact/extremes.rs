@@ -124,7 +124,10 @@ impl Body<'_> {
                 };
                 !neighbours.is_empty() && neighbours.iter().all(lower)
             }),
-            lanes => Lanes::stand_out(lanes, vertices, direction) || alone(),
+            lanes => {
+                let count = polytope.vertices().len();
+                Lanes::stand_out(lanes, count, vertices, direction) || alone()
+            }
         }
     }
 }

@@ -150,11 +150,9 @@ impl<'a> Cast<'a> {
         }
         let leading = motion.to_array().into_iter().find(|&x| x != 0.0)?;
         let swapped = leading < 0.0;
-        let pair = if swapped {
-            Pair::new(b, a, -between, -motion)?
-        } else {
-            Pair::new(a, b, between, motion)?
-        };
+        // Only this hangs on a branch that nobody can predict.
+        let (first, second, sign) = if swapped { (b, a, -1.0) } else { (a, b, 1.0) };
+        let pair = Pair::new(first, second, sign * between, sign * motion)?;
         Some(Self {
             pair,
             swapped,

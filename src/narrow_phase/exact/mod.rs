@@ -57,6 +57,7 @@ mod revolved;
 mod rough;
 mod settle;
 mod sextic;
+mod sight;
 mod slab;
 mod snap;
 mod turner;

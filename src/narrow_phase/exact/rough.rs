@@ -1,24 +1,25 @@
 //! Where a ray enters the difference of two bodies without very many vertices, in single precision.
 //!
-//! The search of [`portal`](super::portal) over again. If vertices are few, all are turned into the
+//! The search of [`portal`](super::portal) over again. Many a ray passes by, as the point that is
+//! farthest out beyond it tells. For others, if vertices are few, all are turned into the
 //! ray's frame beforehand: a farthest one then costs a handful of instructions, and its place is at hand.
 //! Of more, a table has those that may be farthest along a direction.
 //! What is found is a guess that has yet to be [proven](super::proof); only that
 //! the ray passes by is proven here, by a margin that rounding cannot reach.
 
 use super::body::Body;
-use super::cloud::{Cloud, Many, Turn, Turned, Unturned, Vector, dot, single};
+use super::cloud::{Cloud, Many, Turned, Vector, dot, farthest_of_many, single};
 use super::pair::Pair;
+use super::sight::Sight;
 use crate::geometry::{LANES, Lanes, Polytope, Shape};
-use glam::{DMat3, DVec3};
+use glam::{Mat4, Vec3A, Vec4};
 
 /// Blocks of vertices that a body may have, and those of the small ones.
 const BLOCKS: usize = Lanes::FEW / LANES;
 const SMALL: usize = 3;
 
 /// By how much less than nothing the difference must reach over the ray to miss it for certain, in
-/// shares of the pair's size: three times what rounding adds up to, most of it from
-/// [`Lanes::highest`].
+/// shares of the pair's size: ten times what rounding adds up to.
 const MISS: f32 = 4e-5;
 
 /// A face is found if the difference reaches over it by no more than this share of its size.
@@ -50,27 +51,18 @@ pub(super) enum Rough {
     Unclear,
 }
 
-#[inline]
-fn minus([a, b, c]: Vector, [x, y, z]: Vector) -> Vector {
-    [a - x, b - y, c - z]
-}
-
-#[inline]
-fn cross([a, b, c]: Vector, [x, y, z]: Vector) -> Vector {
-    [b * z - c * y, c * x - a * z, a * y - b * x]
-}
-
 /// Twice the area that two vectors span across the ray.
-#[inline]
-fn area([a, b, _]: Vector, [x, y, _]: Vector) -> f32 {
-    a * y - b * x
+#[inline(always)]
+fn area(p: Vec3A, q: Vec3A) -> f32 {
+    p.x * q.y - p.y * q.x
 }
 
 /// A point of the difference, as seen from the ray.
 #[derive(Clone, Copy)]
 struct Probe {
     vertices: [u32; 2],
-    point: Vector,
+    /// In one register: parts of it would have to be put together again.
+    point: Vec3A,
 }
 
 /// B's vertices and A's turned round.
@@ -86,22 +78,7 @@ impl<A: Cloud, B: Cloud> Clouds<A, B> {
         let (b, [x, y, z]) = self.b.farthest(direction);
         Probe {
             vertices: [a, b],
-            point: [p + x, q + y, r + z],
-        }
-    }
-
-    /// The point that is farthest out beyond the ray. If the difference does not reach the ray there,
-    /// nothing else need be looked at.
-    #[inline(always)]
-    fn outermost(&self, [x, y, _]: Vector) -> Result<Probe, Rough> {
-        let outermost = self.support([x, y, 0.0]);
-        let reach = outermost.point[0] * x + outermost.point[1] * y;
-        if reach >= 0.0 {
-            Ok(outermost)
-        } else if reach * reach > MISS * MISS * (x * x + y * y) {
-            Err(Rough::Miss)
-        } else {
-            Err(Rough::Unclear)
+            point: Vec3A::new(p + x, q + y, r + z),
         }
     }
 
@@ -112,19 +89,20 @@ impl<A: Cloud, B: Cloud> Clouds<A, B> {
     /// The first of the two points is near to where the ray would enter were the difference a ball, the
     /// second on the other side of the ray, about as far: from small triangles it is not far to the
     /// face.
-    fn search(&self, [x, y, _]: Vector, outermost: Probe) -> Rough {
+    #[inline(always)]
+    fn search(&self, [x, y, _]: Vector) -> Rough {
         let beyond = (BALL - x * x - y * y).max(0.05).sqrt();
         let first = self.support([x, y, -beyond]);
         let p = first.point;
-        let mut second = self.support([x - BEYOND * p[0], y - BEYOND * p[1], -beyond]);
+        let mut second = self.support([x - BEYOND * p.x, y - BEYOND * p.y, -beyond]);
         if second.vertices == first.vertices {
-            second = outermost;
+            second = self.support([x, y, 0.0]);
         }
-        let side = minus(second.point, p);
+        let side = second.point - p;
         // To the right of the line.
-        let (x, y) = (side[1], -side[0]);
+        let (x, y) = (side.y, -side.x);
         // Towards the ray.
-        let (mut simplex, mut towards) = if -(x * p[0] + y * p[1]) >= 0.0 {
+        let (mut simplex, mut towards) = if -(x * p.x + y * p.y) >= 0.0 {
             ([first, second], [x, y])
         } else {
             ([second, first], [-x, -y])
@@ -132,7 +110,7 @@ impl<A: Cloud, B: Cloud> Clouds<A, B> {
         for _ in 0..MAX_STEPS {
             let [x, y] = towards;
             let mut new = self.support([x, y, -TILT * (x.abs() + y.abs())]);
-            let reach = |point: Vector| point[0] * x + point[1] * y;
+            let reach = |point: Vec3A| point.x * x + point.y * y;
             if reach(new.point) < 0.0 {
                 new = self.support([x, y, 0.0]);
                 let reach = reach(new.point);
@@ -155,12 +133,12 @@ impl<A: Cloud, B: Cloud> Clouds<A, B> {
             }
             let side = if before < after {
                 simplex = [from, new];
-                minus(new.point, p)
+                new.point - p
             } else {
                 simplex = [new, to];
-                minus(q, new.point)
+                q - new.point
             };
-            towards = [side[1], -side[0]];
+            towards = [side.y, -side.x];
         }
         Rough::Unclear
     }
@@ -168,23 +146,27 @@ impl<A: Cloud, B: Cloud> Clouds<A, B> {
     fn refine(&self, mut probes: [Probe; 3]) -> Rough {
         for _ in 0..MAX_STEPS {
             let [p, q, r] = probes.map(|probe| probe.point);
-            let normal = cross(minus(r, p), minus(q, p));
-            let new = self.support(normal);
-            let gain = dot(normal, minus(new.point, p));
+            let normal = (r - p).cross(q - p);
+            let new = self.support(normal.to_array());
+            let gain = normal.dot(new.point - p);
             let known = probes.iter().any(|probe| probe.vertices == new.vertices);
-            if known || gain <= 0.0 || gain * gain <= LEVEL * LEVEL * dot(normal, normal) {
+            if known || gain <= 0.0 || gain * gain <= LEVEL * LEVEL * normal.length_squared() {
                 return Rough::Near(probes.map(|probe| probe.vertices));
             }
-            // Which two of the three enclose the ray together with the new point?
-            let [to_p, to_q, to_r] = [p, q, r].map(|point| area(new.point, point));
-            let pq = (to_p >= 0.0) & (to_q <= 0.0);
-            let qr = (to_q >= 0.0) & (to_r <= 0.0);
-            let rp = (to_r >= 0.0) & (to_p <= 0.0);
-            if !(pq | qr | rp) {
-                return Rough::Unclear;
+            // Which two of the three enclose the ray together with the new point? By bits, for a branch
+            // could not be predicted.
+            let [p, q, r] = [p, q, r].map(|point| point.extend(0.0));
+            let across = Mat4::from_cols(p, q, r, Vec4::ZERO).transpose();
+            let sides = across.y_axis * new.point.x - across.x_axis * new.point.y;
+            let before = sides.cmpge(Vec4::ZERO).bitmask();
+            let after = sides.cmple(Vec4::ZERO).bitmask() & 7;
+            let between = before & (after >> 1 | after << 2) & 7;
+            // Of p and q, of q and r, of r and p: what is left is the place of the new point.
+            const PLACES: [usize; 8] = [3, 2, 0, 2, 1, 2, 0, 2];
+            match probes.get_mut(PLACES[between as usize]) {
+                Some(probe) => *probe = new,
+                None => return Rough::Unclear,
             }
-            let place = 2 * usize::from(pq) + usize::from(!pq & !qr);
-            probes[place] = new;
         }
         Rough::Unclear
     }
@@ -211,7 +193,7 @@ impl<'a> Vertices<'a> {
                 let [a, b, c] = triangle
                     .vertices()
                     .map(|vertex| (vertex - body.centre) / body.radius);
-                Some(Self::Triangle([Lanes::of([a, b, c, DVec3::NAN])]))
+                Some(Self::Triangle([Lanes::of([a, b, c, a])]))
             }
             Shape::Polytope(polytope) => match polytope.lanes() {
                 [] => (!polytope.summits().is_empty()).then_some(Self::Many(polytope)),
@@ -232,9 +214,21 @@ impl<'a> Vertices<'a> {
 }
 
 /// Few vertices or many.
+#[derive(Clone, Copy)]
 enum Among<'a> {
     Few(&'a [Lanes]),
     Many(&'a Polytope),
+}
+
+impl Among<'_> {
+    /// How far the farthest vertex reaches along a direction, in shares of the radius.
+    #[inline(always)]
+    fn reach(&self, direction: Vector) -> f32 {
+        match self {
+            Self::Few(list) => Lanes::reach(list, direction),
+            Self::Many(polytope) => dot(direction, farthest_of_many(polytope, direction).1),
+        }
+    }
 }
 
 /// Where A enters the difference; unclear too if one of the bodies has very many vertices.
@@ -242,170 +236,81 @@ pub(super) fn search(pair: &Pair) -> Rough {
     let (Some(a), Some(b)) = (Vertices::of(&pair.a), Vertices::of(&pair.b)) else {
         return Rough::Unclear;
     };
-    match (a.list(), b.list()) {
-        (Among::Few(a), Among::Few(b)) if a.len().max(b.len()) <= SMALL => {
-            search_few::<SMALL>(pair, a, b)
+    let (a, b) = (a.list(), b.list());
+    let sight = Sight::new(pair);
+    if let Some(outside) = outside(pair, &sight, [a, b]) {
+        return outside;
+    }
+    let few = |list: &[Lanes]| list.len() <= SMALL;
+    match (a, b) {
+        (Among::Few(a), Among::Few(b)) if few(a) && few(b) => {
+            search_few::<SMALL>(pair, &sight, a, b)
         }
-        (Among::Few(a), Among::Few(b)) => search_few::<BLOCKS>(pair, a, b),
-        (Among::Many(a), Among::Many(b)) => search_many(pair, a, b),
+        (Among::Few(a), Among::Few(b)) => search_few::<BLOCKS>(pair, &sight, a, b),
+        (Among::Many(a), Among::Many(b)) => search_many(pair, &sight, a, b),
         (Among::Few(list), Among::Many(polytope)) => {
-            let Seen {
-                ray,
-                turn_a,
-                turn_b,
-            } = Seen::new(pair);
-            let mut clouds = Clouds {
-                a: Turned::<BLOCKS>::EMPTY,
-                b: Many {
-                    polytope,
-                    turn: turn_b,
-                },
-            };
-            clouds.a.fill(list, &turn_a);
-            clouds
-                .outermost(ray)
-                .map_or_else(|miss| miss, |outermost| clouds.search(ray, outermost))
+            let turn = sight.turn_b(pair);
+            let a = &Turned::<BLOCKS>::of(list, &sight.turn_a(pair));
+            let b = Many { polytope, turn };
+            Clouds { a, b }.search(sight.ray)
         }
         (Among::Many(polytope), Among::Few(list)) => {
-            let Seen {
-                ray,
-                turn_a,
-                turn_b,
-            } = Seen::new(pair);
-            let mut clouds = Clouds {
-                a: Many {
-                    polytope,
-                    turn: turn_a,
-                },
-                b: Turned::<BLOCKS>::EMPTY,
-            };
-            clouds.b.fill(list, &turn_b);
-            clouds
-                .outermost(ray)
-                .map_or_else(|miss| miss, |outermost| clouds.search(ray, outermost))
+            let turn = sight.turn_a(pair);
+            let b = &Turned::<BLOCKS>::of(list, &sight.turn_b(pair));
+            let a = Many { polytope, turn };
+            Clouds { a, b }.search(sight.ray)
         }
+    }
+}
+
+/// What the point that is farthest out beyond the ray tells: if the difference does not reach the ray
+/// there, nothing else need be looked at.
+#[inline(always)]
+fn outside(pair: &Pair, sight: &Sight, [a, b]: [Among; 2]) -> Option<Rough> {
+    let (outwards, square) = sight.outwards();
+    let local = |body: &Body| {
+        let rotation = &body.rotation;
+        [rotation.x_axis, rotation.y_axis, rotation.z_axis].map(|axis| dot(single(axis), outwards))
+    };
+    let to_a = sight.share(&pair.a) * a.reach(local(&pair.a).map(|x| -x));
+    let to_b = sight.share(&pair.b) * b.reach(local(&pair.b));
+    let reach = to_a + to_b - square;
+    if reach >= 0.0 {
+        None
+    } else if reach * reach > MISS * MISS * square {
+        Some(Rough::Miss)
+    } else {
+        Some(Rough::Unclear)
     }
 }
 
 #[inline(always)]
-fn search_few<const N: usize>(pair: &Pair, a: &[Lanes], b: &[Lanes]) -> Rough {
-    let Seen {
-        ray,
-        turn_a,
-        turn_b,
-    } = Seen::new(pair);
-    // Many a ray passes by: only for others all vertices are turned.
-    let unturned = Clouds {
-        a: Unturned {
-            list: a,
-            turn: turn_a,
-        },
-        b: Unturned {
-            list: b,
-            turn: turn_b,
-        },
-    };
-    let outermost = match unturned.outermost(ray) {
-        Ok(outermost) => outermost,
-        Err(miss) => return miss,
-    };
-    // In place: a copy would cost as much as the turning.
-    let mut clouds = Clouds {
-        a: Turned::<N>::EMPTY,
-        b: Turned::<N>::EMPTY,
-    };
-    clouds.a.fill(a, &turn_a);
-    clouds.b.fill(b, &turn_b);
-    clouds.search(ray, outermost)
+fn search_few<const N: usize>(pair: &Pair, sight: &Sight, a: &[Lanes], b: &[Lanes]) -> Rough {
+    let a = &Turned::<N>::of(a, &sight.turn_a(pair));
+    let b = &Turned::<N>::of(b, &sight.turn_b(pair));
+    Clouds { a, b }.search(sight.ray)
 }
 
 #[inline(never)]
-fn search_many(pair: &Pair, a: &Polytope, b: &Polytope) -> Rough {
-    let Seen {
-        ray,
-        turn_a,
-        turn_b,
-    } = Seen::new(pair);
+fn search_many(pair: &Pair, sight: &Sight, a: &Polytope, b: &Polytope) -> Rough {
     let clouds = Clouds {
         a: Many {
             polytope: a,
-            turn: turn_a,
+            turn: sight.turn_a(pair),
         },
         b: Many {
             polytope: b,
-            turn: turn_b,
+            turn: sight.turn_b(pair),
         },
     };
-    clouds
-        .outermost(ray)
-        .map_or_else(|miss| miss, |outermost| clouds.search(ray, outermost))
-}
-
-/// A pair in the frame of the ray, in shares of its size.
-struct Seen {
-    /// The ray's place from B's centre.
-    ray: Vector,
-    /// A's vertices are turned round as well.
-    turn_a: Turn,
-    turn_b: Turn,
-}
-
-impl Seen {
-    #[inline(always)]
-    fn new(pair: &Pair) -> Self {
-        let frame = Frame::new(pair.motion);
-        let per_size = 1.0 / pair.size;
-        let columns = |rotation: &DMat3, share: f32| {
-            let [x, y, z] = rotation.to_cols_array_2d();
-            [x, y, z].map(|column| frame.seen(column.map(|x| x as f32)).map(|x| share * x))
-        };
-        let (share_a, share_b) = (pair.a.radius * per_size, pair.b.radius * per_size);
-        let ray = frame.seen(single(per_size * pair.nearest));
-        Self {
-            ray,
-            turn_a: Turn {
-                columns: columns(&pair.a.rotation, -share_a as f32),
-                shift: [0.0; 3],
-            },
-            turn_b: Turn {
-                columns: columns(&pair.b.rotation, share_b as f32),
-                shift: ray.map(|x| -x),
-            },
-        }
-    }
-}
-
-/// Axes of which the third is the ray's.
-struct Frame([Vector; 3]);
-
-impl Frame {
-    /// Source: Duff et al., *Building an Orthonormal Basis, Revisited* (2017).
-    #[inline(always)]
-    fn new(motion: DVec3) -> Self {
-        let along = single(motion);
-        let per_length = 1.0 / dot(along, along).sqrt();
-        let [x, y, z] = along.map(|x| per_length * x);
-        let sign = 1.0_f32.copysign(z);
-        let a = -1.0 / (sign + z);
-        let b = x * y * a;
-        Self([
-            [1.0 + sign * x * x * a, sign * b, -sign * x],
-            [b, sign + y * y * a, -y],
-            [x, y, z],
-        ])
-    }
-
-    #[inline(always)]
-    fn seen(&self, vector: Vector) -> Vector {
-        self.0.map(|axis| dot(axis, vector))
-    }
+    clouds.search(sight.ray)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::geometry::{Cuboid, Polytope};
-    use glam::DQuat;
+    use glam::{DQuat, DVec3};
     use rand_chacha::ChaCha8Rng;
     use rand_chacha::rand_core::{Rng, SeedableRng};
     use std::error::Error;
