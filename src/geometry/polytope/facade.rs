@@ -40,8 +40,7 @@ impl Facade {
     /// That of a polytope which is complete but for this; an empty one of one with many faces or far from its
     /// frame's origin.
     pub(super) fn of(polytope: &Polytope) -> Self {
-        let lengths = polytope.vertices().iter().map(|vertex| vertex.length());
-        let reach = lengths.fold(0.0, f64::max) * (1.0 + 1e-6);
+        let reach = polytope.reach();
         let normals = polytope.face_normals();
         if normals.len() > Self::FACES || reach > Self::FAR * polytope.max_dist() {
             return Self::default();

@@ -99,6 +99,7 @@ pub struct Polytope {
     // looked at for a while each line of cache costs as much as a search.
     centre: DVec3,
     max_dist: f64,
+    reach: f64,
     /// Empty if it is not small.
     sketch: Sketch,
     /// The vertices in single precision, if there are few.
@@ -235,6 +236,8 @@ impl Polytope {
         tolerance: f64,
     ) -> Self {
         let (centre, max_dist) = bounding_sphere(&vertices);
+        let lengths = vertices.iter().map(|vertex| vertex.length());
+        let reach = lengths.fold(0.0, f64::max) * (1.0 + 1e-6);
         let lanes = if vertices.len() <= Lanes::FEW {
             Lanes::list(&vertices, centre, max_dist)
         } else {
@@ -257,6 +260,7 @@ impl Polytope {
             sketch: Sketch::default(),
             centre,
             max_dist,
+            reach,
         };
         polytope.face_map = FaceMap::of(&polytope);
         polytope.sketch = Sketch::of(&polytope);
@@ -274,6 +278,12 @@ impl Polytope {
     #[must_use]
     pub fn triangles(&self) -> &[[u32; 3]] {
         &self.triangles
+    }
+
+    /// How far from the frame's origin all vertices surely lie: which none comes near to by a millionth of it.
+    #[inline]
+    pub(crate) fn reach(&self) -> f64 {
+        self.reach
     }
 
     /// The faces by place and neighbourhood.

@@ -74,16 +74,10 @@ impl Line {
         (distance - reach * reach) * self.square > along * along
     }
 
-    /// Whether the line surely passes by all that lies within `reach` of the frame's origin, with what
-    /// rounding may carry it.
-    ///
-    /// A line that does begins outside that sphere, where the slack is a share of the distance: one factor
-    /// takes it in.
+    /// Whether the line surely [passes by](passes_by) all that lies within `reach` of the frame's origin.
     #[inline(always)]
     pub(super) fn passes_by_all(&self, reach: f64) -> bool {
-        let along = self.origin.dot(self.direction);
-        let distance = self.origin.length_squared() * (1.0 - 512.0 * f64::EPSILON);
-        (distance - reach * reach) * self.square > along * along
+        passes_by(self.origin, self.direction, self.square, reach)
     }
 
     /// The line in the frame that `rotation` leads from.
@@ -121,6 +115,18 @@ impl Line {
             leave: leave.max(enter.fraction),
         })
     }
+}
+
+/// Whether a line surely passes by all that lies within `reach` of the origin, with what rounding may carry it;
+/// `square` is that of its direction and plain.
+///
+/// A line that does begins outside that sphere, where the slack is a share of the distance: one factor
+/// takes it in. Products that all but underflow have no digits, and tell nothing.
+#[inline(always)]
+pub(super) fn passes_by(origin: DVec3, direction: DVec3, square: f64, reach: f64) -> bool {
+    let along = origin.dot(direction);
+    let distance = origin.length_squared() * (1.0 - 512.0 * f64::EPSILON);
+    (distance - reach * reach) * square > along * along + 1e-280
 }
 
 /// How far rounding may carry a line from `origin` past a shape of this size that it touches.

@@ -78,11 +78,10 @@ fn at_vertices(
     motion: DVec3,
 ) -> Option<Touching> {
     let world = Line::new(position, motion)?;
-    if let Shape::Polytope(polytope) = shape {
-        let reach = polytope.facade().reach();
-        if reach > 0.0 && world.passes_by_all(reach + radius) {
-            return None;
-        }
+    if let Shape::Polytope(polytope) = shape
+        && world.passes_by_all(polytope.reach() + radius)
+    {
+        return None;
     }
     turned(&world, orientation, |line| first(line, shape, radius))
 }

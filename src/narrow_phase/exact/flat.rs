@@ -1,5 +1,6 @@
 //! Straight casts between shapes with flat faces.
 
+use super::ball_line::passes_by;
 use super::box_touch::{self, Plain};
 use super::boxes::{self, Swept};
 use super::crossing::{Crossing, Touching};
@@ -9,6 +10,7 @@ use super::portal::{Found, Probe, Shadow};
 use super::rough::{self, Rough};
 use super::snap::{Place, Touch};
 use crate::geometry::Shape;
+use crate::raycast::PLAIN_SQUARES;
 use glam::{DQuat, DVec3};
 
 /// When `a`, moving straight past `b`, touches it and parts from it.
@@ -113,6 +115,14 @@ pub fn flat_touch(
             Plain::Touch(touching) => return Some(touching),
             Plain::Miss => return None,
             Plain::Unclear => {}
+        }
+    }
+    if let (Shape::Polytope(a), Shape::Polytope(b)) = (a, b) {
+        // Before anything is turned: that takes as long as half of a search.
+        let square = motion.length_squared();
+        let reach = a.reach() + b.reach();
+        if PLAIN_SQUARES.contains(&square) && passes_by(between, motion, square, reach) {
+            return None;
         }
     }
     let cast = Cast::new((a, orientation_a), (b, orientation_b), between, motion)?;
