@@ -16,6 +16,18 @@ use glam::{DQuat, DVec3};
 /// of a ball that glides in touch, the root of what rounding leaves.
 pub(crate) const SLIDE: f64 = 1e-7;
 
+/// By how much two bodies that fly alike seem to near each other in a frame, whose length is rounded
+/// otherwise for each of them.
+pub(crate) fn skew(seconds_a: f64, seconds_b: f64, motion_a: DVec3, motion_b: DVec3) -> f64 {
+    let longer = seconds_a.max(seconds_b);
+    let share = if longer > 0.0 {
+        (seconds_a - seconds_b).abs() / longer
+    } else {
+        0.0
+    };
+    (share + 8.0 * f64::EPSILON) * motion_a.length().min(motion_b.length())
+}
+
 /// A body as the narrow phase sees it.
 #[derive(Clone, Copy)]
 pub(crate) struct Mover<'a> {
@@ -469,7 +481,11 @@ impl Pair<'_> {
         let at_once = found.fraction * length <= SLIDE * self.reach();
         let touching =
             found.fraction * length <= touch || at_once && found.fraction * closing <= touch;
-        if touching && (closing <= SLIDE * length || part(standing, between, motion, touch)) {
+        if touching
+            && (closing <= SLIDE * length
+                || closing <= skew(a.frame.seconds(), b.frame.seconds(), motion_a, motion_b)
+                || part(standing, between, motion, touch))
+        {
             return None;
         }
         let contact = PairContact {
