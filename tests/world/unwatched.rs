@@ -1,7 +1,7 @@
 //! Pairs that nobody looked at for a frame, and bodies that fly side by side.
 
 use crate::support::{ball, cuboid, flying};
-use feeler::{Body, CollisionWorld, ContactKind, Motion, Shape};
+use feeler::{Body, CollisionWorld, ContactKind, Motion, Path, Shape};
 use glam::DVec3;
 
 /// How deep the only two bodies overlap, as the step tells it.
@@ -101,4 +101,20 @@ fn contacts_that_the_clock_does_not_tell_apart_are_sorted_by_their_ids() {
     assert_eq!(contacts.len(), 2);
     assert_eq!(contacts[0].time, contacts[1].time);
     assert!(contacts.is_sorted_by_key(|contact| (contact.a, contact.b)));
+}
+
+#[test]
+fn frames_too_short_for_the_clock_tell_each_pair_once() {
+    let mut world = CollisionWorld::default();
+    world.step(1e5).unwrap();
+    let path = Path::line([0.0; 3], [1.0, 0.0, 0.0]).unwrap();
+    let path = Motion::along(path, 1.0).unwrap();
+    world.insert(Body::moving(ball(1.0), path)).unwrap();
+    for x in 0..40 {
+        let at = [1.5 + 3.0 * f64::from(x), 0.0, 0.0];
+        world.insert(flying(&ball(1.0), at, [0.0; 3])).unwrap();
+    }
+    for frame in 0..40 {
+        assert_eq!(world.step(1e-12).unwrap().len(), 1, "frame {frame}");
+    }
 }
