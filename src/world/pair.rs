@@ -7,6 +7,7 @@ use crate::narrow_phase::exact::{self, Encounter, Flight, Touching};
 use crate::narrow_phase::overlap::{Gap, of_balls, overlap, overlap_or_gap};
 use crate::narrow_phase::rays::{Standing, part};
 use crate::tolerance::touch_tolerance;
+use crate::world::skew::skew;
 use crate::world::slots::Resident;
 use crate::world::solver::{Solver, Stretching};
 use crate::world::{Body, ContactKind, PairContact};
@@ -15,18 +16,6 @@ use glam::{DQuat, DVec3};
 /// Sine of the angle to the surface below which a motion slides along it:
 /// of a ball that glides in touch, the root of what rounding leaves.
 pub(crate) const SLIDE: f64 = 1e-7;
-
-/// By how much two bodies that fly alike seem to near each other in a frame, whose length is rounded
-/// otherwise for each of them.
-pub(crate) fn skew(seconds_a: f64, seconds_b: f64, motion_a: DVec3, motion_b: DVec3) -> f64 {
-    let longer = seconds_a.max(seconds_b);
-    let share = if longer > 0.0 {
-        (seconds_a - seconds_b).abs() / longer
-    } else {
-        0.0
-    };
-    (share + 8.0 * f64::EPSILON) * motion_a.length().min(motion_b.length())
-}
 
 /// A body as the narrow phase sees it.
 #[derive(Clone, Copy)]

@@ -1,5 +1,7 @@
 //! Pairs that nobody looked at for a frame, and bodies that fly side by side.
 
+#![allow(clippy::float_cmp, reason = "what is told here is exact")]
+
 use crate::support::{ball, cuboid, flying};
 use feeler::{Body, CollisionWorld, ContactKind, Motion, Path, Shape};
 use glam::DVec3;
