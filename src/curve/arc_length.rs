@@ -70,6 +70,11 @@ impl ArcLength {
             firsts.push(spans.len() as u32);
             let mut length = 0.0;
             let velocity = curve.velocity();
+            // No longer than its speed is great; of what underflows no halving would be good.
+            let fastest = velocity.iter().map(|v| v.length()).fold(0.0, f64::max);
+            if fastest < min_piece {
+                return Err((piece, fastest));
+            }
             span::subdivide(&velocity, 0.0..1.0, |cut| {
                 Span::each(&velocity, &cut, |span, way| {
                     let mut push = |mut span: Span, way: f64| {
@@ -259,7 +264,7 @@ impl ArcLength {
     /// The distance at parameter `u` of `piece`; places beyond the ends are clamped.
     pub(crate) fn distance_at(&self, pieces: &[CubicBezier], piece: usize, u: f64) -> f64 {
         let u = u.max(0.0);
-        if piece + 1 >= self.joints.len() || u >= 1.0 || u <= 0.0 {
+        if piece.saturating_add(1) >= self.joints.len() || u >= 1.0 || u <= 0.0 {
             return self.joint(piece.saturating_add(usize::from(u >= 1.0)));
         }
         let spans = self.spans_of(piece);

@@ -169,10 +169,13 @@ impl CubicBezier {
     /// its control points, and not sampled. Found as the roots of a quadratic;
     /// either value is within 8 rounding errors of the largest of
     /// `|axis.x·x| + |axis.y·y| + |axis.z·z|` over the control points, so who
-    /// must not lose a point of the curve grows the bounds by that much.
+    /// must not lose a point of the curve grows the bounds by that much. An axis
+    /// that is not finite bounds nothing.
     #[must_use]
     pub fn extent_along(&self, axis: DVec3) -> (f64, f64) {
-        debug_assert!(axis.is_finite(), "axis is not finite: {axis}");
+        if !axis.is_finite() {
+            return (f64::NEG_INFINITY, f64::INFINITY);
+        }
         let [c0, c1, c2, c3] = self.control_points.map(|point| axis.dot(point));
         let (d0, d1, d2) = (c1 - c0, c2 - c1, c3 - c2);
         let turns = quadratic::roots(d0 - 2.0 * d1 + d2, d1 - d0, d0)

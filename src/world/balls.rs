@@ -6,6 +6,7 @@ use crate::narrow_phase::exact::{Touching, two_balls};
 use crate::narrow_phase::overlap::of_balls;
 use crate::tolerance::touch_tolerance;
 use crate::world::pair::{Finding, SLIDE};
+use crate::world::skew::skew;
 use crate::world::tracks::{Span, Track};
 use crate::world::{ContactKind, PairContact};
 use glam::DVec3;
@@ -17,19 +18,22 @@ use glam::DVec3;
 #[inline]
 pub(super) fn examine(a: &Track, b: &Track, span: Span) -> Result<Option<Finding>, Rejection> {
     let (flight_a, flight_b) = (a.flight(span), b.flight(span));
-    look((flight_a, a.reach), (flight_b, b.reach))
+    let seconds = || [a.since, b.since].map(|since| span.of_motion(since).1);
+    look((flight_a, a.reach), (flight_b, b.reach), seconds)
 }
 
-/// The same of two flights, each from where and by how much, and the balls' radii.
+/// The same of two flights in the same time, each from where and by how much, and the balls' radii.
 #[inline]
 pub(super) fn meet(a: ((DVec3, DVec3), f64), b: ((DVec3, DVec3), f64)) -> Option<Finding> {
-    look(a, b).unwrap_or_default()
+    look(a, b, || [1.0; 2]).unwrap_or_default()
 }
 
+/// The same, if it is known how long each flies.
 #[inline]
 fn look(
     ((start_a, motion_a), radius_a): ((DVec3, DVec3), f64),
     ((start_b, motion_b), radius_b): ((DVec3, DVec3), f64),
+    seconds: impl Fn() -> [f64; 2],
 ) -> Result<Option<Finding>, Rejection> {
     let reach = radius_a + radius_b;
     let between = start_b - start_a;
@@ -58,8 +62,11 @@ fn look(
     let closing = -motion.dot(found.normal);
     let at_once = fraction * length <= SLIDE * reach;
     let touching = fraction * length <= touch || at_once && fraction * closing <= touch;
-    if touching && closing <= SLIDE * length {
-        return Ok(None);
+    if touching {
+        let [seconds_a, seconds_b] = seconds();
+        if closing <= (SLIDE * length).max(skew(seconds_a, seconds_b, motion_a, motion_b)) {
+            return Ok(None);
+        }
     }
     Ok(Some(Finding {
         contact: PairContact {

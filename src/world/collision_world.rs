@@ -63,7 +63,8 @@ pub struct CollisionWorld {
     pub(super) contacts: Vec<Contact>,
     /// Pairs that were reported as touching and have not parted since, sorted.
     pub(super) touching: Vec<PairKey>,
-    /// Pairs with a contact in the last step, as contacts name them, sorted.
+    /// Pairs with a contact in the last step, as contacts name them, and those that a caller held
+    /// back, sorted.
     pub(super) met: Vec<PairKey>,
     /// What the narrow phase found in the frame at hand.
     pub(super) findings: Findings,
@@ -163,7 +164,8 @@ impl CollisionWorld {
             .ok_or(BodyError::UnknownBody { id })?;
         // In free flight a body's whole path is unknown before and after.
         let keeps_volume = resident.body.motion.is_free() && motion.is_free();
-        let keeps_kind = resident.body.motion.is_fixed() == motion.is_fixed();
+        let was_fixed = resident.body.motion.is_fixed();
+        let keeps_kind = was_fixed == motion.is_fixed();
         let from = resident.body.pose_after(time - resident.since);
         resident.body.orientation = from.orientation;
         resident.body.motion = motion;
@@ -179,6 +181,8 @@ impl CollisionWorld {
         resident.half = tracks::half_extents(&resident.body, resident.centre_offset);
         if placed {
             self.stirred.place(id.slot);
+        } else if was_fixed {
+            self.stirred.release(id.slot);
         } else {
             self.stirred.divert(id.slot);
         }
@@ -375,7 +379,8 @@ impl CollisionWorld {
             + self.stirred.memory()
             + self.findings.memory()
             + (of(&self.on_paths) + of(&self.contacts))
-            + (of(&self.touching) + of(&self.met) + of(&self.passed.pairs))
+            + (of(&self.touching) + of(&self.met))
+            + (of(&self.passed.pairs) + of(&self.passed.held_back))
             + (of(&self.volumes) + of(&self.changed))
     }
 

@@ -165,11 +165,16 @@ impl Frame<'_> {
             findings.resting.push(pair);
             return;
         }
-        let found = finding.contact;
+        let mut found = finding.contact;
+        let time = self.span.time + found.fraction * self.span.dt;
+        if time <= self.span.time {
+            // The clock does not tell the two moments apart; contacts are sorted by it.
+            found.fraction = 0.0;
+        }
         let contact = Contact {
             a: self.slots.id(first),
             b: self.slots.id(second),
-            time: self.span.time + found.fraction * self.span.dt,
+            time,
             fraction: found.fraction,
             point: found.point,
             normal: found.normal,
@@ -177,6 +182,17 @@ impl Frame<'_> {
             feature_b: found.features[1],
             kind: found.kind,
         };
-        findings.push(contact, is_any(Stirred::is_placed));
+        findings.push(
+            contact,
+            is_any(Stirred::is_placed) || self.were_fixed([first, second]),
+        );
+    }
+
+    /// Whether two bodies were both fixed in the last step, when nobody looked at them.
+    fn were_fixed(&self, pair: [u32; 2]) -> bool {
+        let body = |slot: u32| self.slots.at(slot);
+        (self.stirred).were_fixed(pair, |slot| {
+            body(slot).is_some_and(|is| is.body.motion().is_fixed())
+        })
     }
 }

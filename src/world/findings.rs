@@ -57,7 +57,8 @@ pub(super) struct Found {
 impl Found {
     /// It is one of the moment at which the frame begins.
     pub(super) const AT_START: u32 = 1;
-    /// The pair may have met unseen: it overlaps, and neither body was put where it is.
+    /// The pair may have met unseen: it overlaps, it was looked at in the frame before, and neither
+    /// body was put where it is.
     const DRIFTED: u32 = 2;
     /// It is told as a touch.
     const TOUCH: u32 = 4;
@@ -165,7 +166,8 @@ impl Findings {
         self.shared.clear();
     }
 
-    /// Adds a contact; `is_placed` tells whether one of its bodies was put where it is.
+    /// Adds a contact; `is_placed` tells whether one of its bodies was put where it is, or else nobody
+    /// looked at them in the frame before.
     pub(super) fn push(&mut self, contact: Contact, is_placed: bool) {
         let overlaps = matches!(contact.kind, ContactKind::Overlap { .. });
         let mark = |is: bool, mark: u32| if is { mark } else { 0 };

@@ -3,6 +3,7 @@
 use crate::broad_phase::{Leaf, LeafId};
 use crate::early_out::{Rejection, RejectionCounts};
 use crate::world::BodyId;
+use crate::world::findings::{PairKey, key};
 use crate::world::slots::Slots;
 use crate::world::tracks::{Span, Track};
 
@@ -22,6 +23,8 @@ pub(super) struct Gate<'a> {
 #[derive(Debug, Clone, Default)]
 pub(super) struct Passed {
     pub(super) pairs: Vec<(LeafId, LeafId)>,
+    /// Those that a caller's choice held back, whatever they do.
+    pub(super) held_back: Vec<PairKey>,
     /// How many were, also those that have been dealt with since.
     pub(super) count: usize,
     /// Pairs that came, but for those of groups that do not meet.
@@ -34,6 +37,7 @@ pub(super) struct Passed {
 impl Passed {
     pub(super) fn clear(&mut self) {
         self.pairs.clear();
+        self.held_back.clear();
         self.count = 0;
         self.seen = 0;
         self.dismissed = 0;
@@ -42,6 +46,7 @@ impl Passed {
 
     /// Adds what became of other pairs, which have been dealt with.
     pub(super) fn append(&mut self, other: &Self) {
+        self.held_back.extend_from_slice(&other.held_back);
         self.count += other.count;
         self.seen += other.seen;
         self.dismissed += other.dismissed;
@@ -132,6 +137,8 @@ impl Gate<'_> {
                 if self.keeps(a.slot, b.slot) {
                     passed.count += 1;
                     passed.pairs.push((a.id, b.id));
+                } else {
+                    passed.held_back.push(key(a.slot, b.slot));
                 }
                 true
             }

@@ -60,6 +60,7 @@ mod queries;
 #[cfg(feature = "parallel")]
 mod shared;
 mod sifting;
+mod skew;
 mod slots;
 mod solver;
 mod stats;

@@ -7,6 +7,7 @@ use crate::narrow_phase::exact::{self, Encounter, Flight, Touching};
 use crate::narrow_phase::overlap::{Gap, of_balls, overlap, overlap_or_gap};
 use crate::narrow_phase::rays::{Standing, part};
 use crate::tolerance::touch_tolerance;
+use crate::world::skew::skew;
 use crate::world::slots::Resident;
 use crate::world::solver::{Solver, Stretching};
 use crate::world::{Body, ContactKind, PairContact};
@@ -469,7 +470,11 @@ impl Pair<'_> {
         let at_once = found.fraction * length <= SLIDE * self.reach();
         let touching =
             found.fraction * length <= touch || at_once && found.fraction * closing <= touch;
-        if touching && (closing <= SLIDE * length || part(standing, between, motion, touch)) {
+        if touching
+            && (closing <= SLIDE * length
+                || closing <= skew(a.frame.seconds(), b.frame.seconds(), motion_a, motion_b)
+                || part(standing, between, motion, touch))
+        {
             return None;
         }
         let contact = PairContact {

@@ -62,7 +62,8 @@ impl CollisionWorld {
     ///
     /// It is asked about pairs that have passed the broad phase, the bodies' [`Groups`](crate::Groups)
     /// and the early-outs, in no particular order, perhaps from several threads: the
-    /// answer must depend on nothing but the pair.
+    /// answer must depend on nothing but the pair. A pair that was held back in one step and
+    /// overlaps as the next begins is told as overlapping, not as touching.
     ///
     /// # Errors
     /// As [`step`](Self::step).
@@ -365,6 +366,11 @@ impl CollisionWorld {
         self.looks.forget();
         self.stirred.clear();
         self.findings.met_until(until, &mut self.met);
+        if !self.passed.held_back.is_empty() {
+            // Nobody looked whether they met.
+            self.met.append(&mut self.passed.held_back);
+            self.met.sort_unstable();
+        }
         self.touching.clear();
         self.touching.append(&mut self.findings.resting);
         if until >= 1.0 {

@@ -7,6 +7,8 @@ pub(super) struct Stirred {
     marks: Vec<Mark>,
     /// The slots with a mark.
     slots: Vec<u32>,
+    /// Whether one of them was released.
+    any_released: bool,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
@@ -15,6 +17,8 @@ enum Mark {
     None,
     /// Another motion, from where the body was.
     Diverted,
+    /// The same, of a body that was fixed during the last step.
+    Released,
     /// Put where it is; it did not get there by its motion.
     Placed,
 }
@@ -23,6 +27,15 @@ impl Stirred {
     /// The body in `slot` has another motion.
     pub(super) fn divert(&mut self, slot: u32) {
         self.mark(slot, Mark::Diverted);
+    }
+
+    /// The body in `slot`, which was fixed till now, has another motion.
+    pub(super) fn release(&mut self, slot: u32) {
+        // Or it was given a motion to be fixed by only since the last step.
+        if self.at(slot) == Mark::None {
+            self.mark(slot, Mark::Released);
+            self.any_released = true;
+        }
     }
 
     /// The body in `slot` was put where it is.
@@ -46,6 +59,17 @@ impl Stirred {
         self.at(slot) != Mark::None
     }
 
+    /// Whether two bodies were both fixed during the last step, and nobody looked at them;
+    /// `is_fixed` tells of a slot whether its body is now.
+    pub(super) fn were_fixed(&self, pair: [u32; 2], is_fixed: impl Fn(u32) -> bool) -> bool {
+        let was_fixed = |slot: u32| match self.at(slot) {
+            Mark::None => is_fixed(slot),
+            Mark::Released => true,
+            Mark::Diverted | Mark::Placed => false,
+        };
+        self.any_released && pair.into_iter().all(was_fixed)
+    }
+
     /// Whether the body in `slot` was put where it is.
     pub(super) fn is_placed(&self, slot: u32) -> bool {
         self.at(slot) == Mark::Placed
@@ -57,6 +81,7 @@ impl Stirred {
 
     /// A step was made.
     pub(super) fn clear(&mut self) {
+        self.any_released = false;
         for slot in self.slots.drain(..) {
             if let Some(mark) = self.marks.get_mut(slot as usize) {
                 *mark = Mark::None;

@@ -1,7 +1,9 @@
 //! Ends, limits and bad input.
 
 use crate::support::{in_cube, log_uniform, unit};
-use feeler::{ArcLengthRow, ArcLengthTable, CubicBezier, Path, PathError, Spline, ValueError};
+use feeler::{
+    ArcLengthRow, ArcLengthTable, CubicBezier, Knots, Path, PathError, Spline, ValueError,
+};
 use glam::DVec3;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
@@ -175,5 +177,44 @@ fn a_line_is_walked_at_constant_speed() {
         );
         let tangent = path.tangent_at(share);
         assert!((tangent * path.length() - (to - from)).length() < 1e-15 * path.length());
+    }
+}
+
+#[test]
+fn points_closer_than_any_square_can_tell_are_refused_at_once() {
+    // Halving a piece of noise until it was smooth took half a minute.
+    let corner = DVec3::new(1.8e7, -1.8e4, -3.4e8);
+    for gap in [0.0, 1e-310, 2e-156, 1e-100, 1e-12] {
+        let points = [
+            corner,
+            DVec3::ZERO,
+            DVec3::new(gap, 0.0, 1e-310),
+            DVec3::new(0.97, -2.0, 1.7e-5),
+            corner,
+        ];
+        let refused = Spline::catmull_rom(points, Knots::Centripetal);
+        assert!(
+            matches!(refused, Err(PathError::PieceTooShort { piece: 1, .. })),
+            "{gap:e}"
+        );
+    }
+}
+
+#[test]
+fn a_piece_beyond_the_last_is_at_the_end() {
+    let spline =
+        Spline::catmull_rom([[0.0; 3], [1.0; 3], [2.0, 0.0, 0.0]], Knots::Uniform).unwrap();
+    for piece in [2, 3, usize::MAX] {
+        for u in [0.0, 0.5, 1.0] {
+            assert_eq!(spline.distance_at(piece, u), spline.length());
+        }
+    }
+}
+
+#[test]
+fn an_axis_that_is_not_finite_bounds_nothing() {
+    let curve = CubicBezier::new([[0.0; 3], [1.0; 3], [2.0; 3], [3.0; 3]]).unwrap();
+    for axis in [DVec3::splat(f64::NAN), DVec3::INFINITY] {
+        assert_eq!(curve.extent_along(axis), (f64::NEG_INFINITY, f64::INFINITY));
     }
 }

@@ -228,3 +228,70 @@ fn a_thin_triangle_that_all_but_touches_an_edge_is_parted_by_the_normal_told() {
     assert!((gap - found.distance).abs() < 1e-9, "{gap:e} {found:?}");
     assert!(matches!(found.feature_a, Feature::Edge(_)), "{found:?}");
 }
+
+#[test]
+fn a_corner_far_below_the_nearest_is_no_part_of_the_feature() {
+    // All but touching: an edge was told of which one end lay 0.22 m off the touch.
+    let box_of_hairs = [
+        [
+            -0.15863475372830513,
+            -0.11422771326808198,
+            -0.154833983910427,
+        ],
+        [
+            0.1586347533481638,
+            -0.11422771378189008,
+            -0.15483398382733204,
+        ],
+        [
+            -0.158634753396711,
+            0.11422771413641414,
+            -0.15483398396733902,
+        ],
+        [
+            0.15863475329402746,
+            0.11422771387213145,
+            -0.15483398379445562,
+        ],
+        [
+            -0.15863475408779013,
+            -0.11422771386215613,
+            0.15483398366391574,
+        ],
+        [
+            0.15863475305757058,
+            -0.11422771362192762,
+            0.1548339832928419,
+        ],
+        [
+            -0.15863475298112084,
+            0.11422771336369818,
+            0.15483398382228503,
+        ],
+        [
+            0.15863475395793056,
+            0.11422771365841294,
+            0.15483398342648505,
+        ],
+    ];
+    let triangle = Triangle::new(
+        [2.152232319230431, 1.0478967926835356, -0.6816660001041366],
+        [2.1220129777528034, -0.3523359074916254, -2.3016778596360012],
+        [-2.5285554638379066, 0.4829987236022632, 2.325156075559142],
+    )
+    .unwrap();
+    let hull = Polytope::from_points(box_of_hairs).unwrap();
+    let pose = Pose::at([-2.3699207104411926, 0.3687710094658314, 2.4799900595264717]);
+    let found = at(hull.clone().into(), pose, triangle.into(), Pose::IDENTITY)
+        .closest()
+        .unwrap();
+    let Feature::Edge(edge) = found.feature_a else {
+        panic!("{found:?}");
+    };
+    for vertex in hull.edges()[edge as usize].vertices {
+        // As the point, seen from the body's position.
+        let vertex = hull.vertices()[vertex as usize];
+        let above = (vertex - found.point_a).dot(found.normal);
+        assert!(above < 1e-8, "{above:e}");
+    }
+}

@@ -1,8 +1,8 @@
 //! What bodies in touch share, and the normals that part them, against brute force.
 
 use crate::bodies::{self, Body, direction, index, log, signed, unit};
-use feeler::narrow_phase::exact::{contact_patch, normal_cone, touch};
-use feeler::{Cuboid, Pose, Shape};
+use feeler::narrow_phase::exact::{contact_patch, crossing, normal_cone, touch};
+use feeler::{Cuboid, Polytope, Pose, Shape};
 use glam::{DQuat, DVec2, DVec3};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
@@ -219,5 +219,85 @@ fn a_normal_of_any_length_says_where_to_look() {
     }
     for none in [DVec3::ZERO, DVec3::NAN, DVec3::INFINITY] {
         assert!(patch(none).is_empty());
+    }
+}
+
+#[test]
+fn what_a_face_shares_with_a_needle_level_but_for_a_hair_lies_on_the_needle() {
+    // The needle's edges are out of level by picometres; its lowest corner is beside the face.
+    let face = [
+        [
+            -0.2643528661679899,
+            -0.13217643308399496,
+            0.13217643308399496,
+        ],
+        [
+            0.13217643308399496,
+            -0.13217643308399496,
+            0.13217643308399496,
+        ],
+        [
+            0.13217643308399496,
+            0.2643528661679899,
+            -0.13217643308399496,
+        ],
+        [0.13217643308399496, -0.13217643308399496, 0.0],
+    ];
+    let needle = [
+        [
+            -0.00012054896256557099,
+            -0.00012054896044426317,
+            -0.264352870168188,
+        ],
+        [
+            0.00012054896144246054,
+            -0.00012054895947764401,
+            -0.2643528733065898,
+        ],
+        [
+            -0.00012054896517734961,
+            0.00012054896413255156,
+            -0.26435285607600695,
+        ],
+        [
+            0.0001205489613060068,
+            0.00012054896237572455,
+            -0.26435285970225014,
+        ],
+        [
+            -0.000120548964537174,
+            -0.00012054896374209973,
+            0.2643528695030357,
+        ],
+        [
+            0.00012054896834789689,
+            -0.00012054896536934299,
+            0.2643528574674613,
+        ],
+        [
+            -0.00012054896143703254,
+            0.00012054896256955947,
+            0.2643528679794918,
+        ],
+        [
+            0.00012054896456622337,
+            0.00012054896446167125,
+            0.2643528556869981,
+        ],
+    ];
+    let a = Shape::from(Polytope::from_points(face).unwrap());
+    let b = Shape::from(Polytope::from_points(needle).unwrap());
+    let between = DVec3::new(
+        0.0008043736555007053,
+        0.0005500646019297607,
+        0.00146152583381205,
+    );
+    let motion = DVec3::new(48919.16769597415, -32768.2796133247, 85166.53385405878);
+    let found = crossing(&a, &Pose::at(between), &b, &Pose::IDENTITY, motion).unwrap();
+    let landed = Pose::at(between + found.enter.fraction * motion);
+    let corners = contact_patch(&a, &landed, &b, &Pose::IDENTITY, found.enter.normal);
+    assert!(!corners.is_empty());
+    for corner in corners {
+        assert!(corner.y.abs() < 1.21e-4, "{corner}");
     }
 }

@@ -84,3 +84,22 @@ fn the_largest_and_smallest_shapes_give_finite_answers() {
         }
     }
 }
+
+#[test]
+fn poses_that_are_not_finite_overlap_nothing() {
+    let ball = Shape::from(Sphere::new(1.0).unwrap());
+    let cube = Shape::from(Cuboid::new([1.0; 3]).unwrap());
+    for wrong in [f64::NAN, f64::INFINITY] {
+        for pose in [
+            Pose::at([wrong, 0.0, 0.0]),
+            Pose::new([0.0; 3], DQuat::from_xyzw(0.0, wrong, 0.0, 1.0)),
+        ] {
+            for a in [&ball, &cube] {
+                for b in [&ball, &cube] {
+                    assert!(overlap(a, &pose, b, &Pose::IDENTITY).is_none());
+                    assert!(overlap(a, &Pose::IDENTITY, b, &pose).is_none());
+                }
+            }
+        }
+    }
+}

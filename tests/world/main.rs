@@ -15,3 +15,4 @@ mod random;
 mod sampled_error;
 mod scale;
 mod support;
+mod unwatched;

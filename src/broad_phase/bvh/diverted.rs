@@ -163,3 +163,69 @@ fn all_below<T>(tree: &Tree<T>, bounds: &Bounds, mut found: impl FnMut(u32)) {
         below(tree, level, 0, bounds, &mut found);
     }
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "a test may fail")]
+mod tests {
+    use super::*;
+
+    /// Bodies are balls of 1 m in a row, 3 m apart, told by where they are.
+    fn place(x: &f64) -> Aabb {
+        Aabb::new([*x - 1.0, -1.0, -1.0], [*x + 1.0, 1.0, 1.0])
+    }
+
+    /// All pairs that are handed out, and whose boxes overlap.
+    fn pairs(bvh: &mut Bvh<f64>) -> Vec<(u32, u32)> {
+        let mut found = Vec::new();
+        bvh.pairs(|pairs| {
+            let boxes = |(a, b): &(super::super::Leaf<'_, f64>, super::super::Leaf<'_, f64>)| {
+                place(a.data).overlaps(&place(b.data))
+            };
+            let slots = pairs.iter().filter(boxes).map(|(a, b)| (a.slot, b.slot));
+            found.extend(slots.map(|(a, b)| (a.min(b), a.max(b))));
+        });
+        found.sort_unstable();
+        found
+    }
+
+    #[test]
+    fn the_diverted_find_all_they_meet_once_and_the_others_keep_theirs() {
+        for count in [3, 8, 65, 300] {
+            let mut bvh = Bvh::default();
+            for slot in 0..count {
+                // Every fifth one stands; the last two overlap from the beginning.
+                let x = if slot == count - 1 {
+                    f64::from(slot) - 1.0
+                } else {
+                    f64::from(slot)
+                };
+                bvh.insert(
+                    slot,
+                    slot % 5 != 4,
+                    3.0 * x + 0.5 * f64::from(slot / (count - 1)),
+                );
+            }
+            bvh.update(place);
+            let before = pairs(&mut bvh);
+            assert_eq!(before, [(count - 2, count - 1)]);
+            // Two fly to where others are, one of them to the other.
+            for (slot, x) in [(0, 3.5), (2, 4.0)] {
+                *bvh.get_mut(slot).unwrap() = x;
+                assert!(bvh.divert(slot) || slot % 5 == 4);
+                assert!(bvh.divert(slot), "a second time changes nothing");
+            }
+            let standing = (0..count).find(|slot| slot % 5 == 4);
+            assert!(standing.is_none_or(|slot| !bvh.divert(slot)));
+            assert!(!bvh.divert(count), "nobody is there");
+            bvh.renew(place, place);
+            let mut wanted = vec![(0, 1), (0, 2), (1, 2)];
+            if count > 3 {
+                wanted.push((count - 2, count - 1));
+            }
+            assert_eq!(pairs(&mut bvh), wanted, "{count}");
+            // Who is not diverted again keeps what was found.
+            bvh.renew(place, place);
+            assert_eq!(pairs(&mut bvh), wanted, "{count}, later");
+        }
+    }
+}

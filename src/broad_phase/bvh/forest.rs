@@ -165,7 +165,8 @@ impl<T: Copy + Sync> Bvh<T> {
         self.at(id).map(|leaf| leaf.data)
     }
 
-    /// The same, to be changed; its box follows with the next [`update`](Self::update).
+    /// The same, to be changed; the box of a moving body follows with the next
+    /// [`update`](Self::update), a static one has to be [inserted](Self::insert) again.
     #[must_use]
     pub fn get_mut(&mut self, slot: u32) -> Option<&mut T> {
         let id = *self.places.get(slot as usize)?;

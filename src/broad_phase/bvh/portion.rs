@@ -34,6 +34,9 @@ pub struct Portion<'a, T> {
 /// So many pairs are read ahead: few enough that their bodies stay in the nearest caches.
 const AHEAD: usize = 64;
 
+/// What a pair waits for that is not to be visited again: no number is late enough.
+const LEFT_OUT: f32 = f32::NAN;
+
 /// What so few leaves hold stays in the cache from frame to frame, and is not read ahead.
 const NEAR: usize = 4096;
 
@@ -102,7 +105,7 @@ impl<'a, T: Copy> Portion<'a, T> {
         })
     }
 
-    /// How many they are.
+    /// How many they are at most: those that have been left out since may be counted.
     #[must_use]
     pub fn len(&self) -> usize {
         self.len
@@ -122,7 +125,7 @@ impl<'a, T: Copy> Portion<'a, T> {
         }
         for pair in &mut *self.pairs {
             if marks[0].has(pair.a) || marks[1].has(pair.b) {
-                pair.wait = f32::INFINITY;
+                pair.wait = LEFT_OUT;
             }
         }
     }
@@ -228,7 +231,7 @@ impl<'a, T: Copy> Portion<'a, T> {
                     && !visit(a, b)
                     && let Some(pair) = self.pairs.get_mut(index as usize)
                 {
-                    pair.wait = f32::INFINITY;
+                    pair.wait = LEFT_OUT;
                 }
             }
         }
@@ -251,7 +254,8 @@ impl<'a, T: Copy> Portion<'a, T> {
     #[inline]
     pub fn iter(&self) -> impl Iterator<Item = (Leaf<'a, T>, Leaf<'a, T>)> {
         let pairs = self.pairs.get(..self.len).unwrap_or_default();
-        pairs.iter().filter_map(|pair| self.leaves(pair))
+        let pairs = pairs.iter().filter(|pair| !pair.wait.is_nan());
+        pairs.filter_map(|pair| self.leaves(pair))
     }
 
     #[inline]

@@ -82,20 +82,29 @@ fn of_cuboid(heights: DVec3, margin: f64, vertex: u32, differing: u32) -> Featur
 
 /// Edges of the first known vertex tell what it is part of.
 fn of_polytope(polytope: &Polytope, direction: DVec3, margin: f64, known: &[u32]) -> Feature {
-    let first = known.first().copied().unwrap_or_default();
     let (vertices, edges) = (polytope.vertices(), polytope.edges());
+    let above = |vertex: u32, other: u32| {
+        (vertices[vertex as usize] - vertices[other as usize]).dot(direction)
+    };
+    // One that lies far below another is no part of it.
+    let mut first = known.first().copied().unwrap_or_default();
+    for &other in known {
+        if above(other, first) > KNOWN * margin {
+            first = other;
+        }
+    }
+    let is_known = |vertex: u32| known.contains(&vertex) && above(vertex, first) >= -KNOWN * margin;
     let normals = polytope.face_normals();
     let around = polytope.edge_map().around_vertex(first);
     // What the known vertices prove: two are an edge at least, three a face.
-    let proven = known.len();
+    let proven = known.iter().filter(|&&vertex| is_known(vertex)).count();
     let (mut level, mut level_edge) = (0, None);
     let mut best: Option<(u32, f64)> = None;
     for &index in around {
         let edge = &edges[index as usize];
         let [from, to] = edge.vertices;
         let other = if from == first { to } else { from };
-        let height = (vertices[other as usize] - vertices[first as usize]).dot(direction);
-        if height >= -margin || known.contains(&other) {
+        if above(other, first) >= -margin || is_known(other) {
             level += 1;
             level_edge = Some(index);
         } else if proven < 2 {

@@ -2,7 +2,7 @@
 
 use super::body::Body;
 use super::patch;
-use super::snap::summit;
+use super::snap::{FEATURE, WIDE, summit_within};
 use crate::geometry::{Pose, Shape};
 use crate::math::frame::orthonormal;
 use glam::{DVec2, DVec3};
@@ -16,7 +16,7 @@ use glam::{DVec2, DVec3};
 /// be a segment or a point; there is always at least one corner otherwise.
 ///
 /// The parts of both bodies that lie farthest along the normal, to within 1e-12 of their radii, cut
-/// with each other (Sutherland & Hodgman, 1974). O(n) for n corners of the two parts beside a
+/// with each other (Sutherland & Hodgman, 1974); to within a few billionths where those share nothing. O(n) for n corners of the two parts beside a
 /// support of each body.
 ///
 /// ```
@@ -61,30 +61,37 @@ pub fn contact_patch(
     ) else {
         return Vec::new();
     };
-    let top = |body: &Body, direction: DVec3| {
-        summit(body, direction, [body.support(direction)])
-            .corners
-            .iter()
-            .map(|&vertex| body.vertex(vertex))
-            .collect::<Vec<_>>()
-    };
-    let (top_a, top_b) = (top(&body_a, -normal), top(&body_b, normal));
+    let (on_a, on_b) = (body_a.support(-normal), body_b.support(normal));
     // Seen from one of B's corners: what is far away is rounded.
-    let Some(&origin) = top_b.first() else {
-        return Vec::new();
-    };
+    let origin = body_b.vertex(on_b);
     let (x, y) = orthonormal(normal);
-    let flat = |points: &[DVec3], shift: DVec3| {
-        let flat = |point: &DVec3| {
-            let point = *point + shift;
-            DVec2::new(point.dot(x), point.dot(y))
-        };
-        patch::around(points.iter().map(flat).collect())
-    };
     let to_a =
         (between - origin) + (body_a.rotation * body_a.centre - body_b.rotation * body_b.centre);
+    let tops = |share: f64| {
+        let flat = |body: &Body, direction: DVec3, vertex: u32, shift: DVec3| {
+            let summit = summit_within(body, direction, [vertex], share);
+            let points = summit.corners.iter().map(|&vertex| {
+                let point = body.vertex(vertex) + shift;
+                DVec2::new(point.dot(x), point.dot(y))
+            });
+            patch::around(points.collect())
+        };
+        [
+            flat(&body_a, -normal, on_a, to_a),
+            flat(&body_b, normal, on_b, -origin),
+        ]
+    };
     let size = body_a.radius + body_b.radius;
-    let shared = patch::corners(&flat(&top_a, to_a), &flat(&top_b, -origin), size);
+    let shares = |a: &[DVec2], b: &[DVec2]| patch::shared(a, b, size).is_some();
+    let [mut top_a, mut top_b] = tops(FEATURE);
+    if !shares(&top_a, &top_b) {
+        // Level but for a hair: as for the touch itself.
+        let mut wider = WIDE.into_iter().map(|wide| tops(wide * FEATURE));
+        if let Some(found) = wider.find(|[a, b]| shares(a, b)) {
+            [top_a, top_b] = found;
+        }
+    }
+    let shared = patch::corners(&top_a, &top_b, size);
     let centre = body_b.rotation * body_b.centre;
     (shared.iter())
         .map(|point| centre + origin + (point.x * x + point.y * y))

@@ -18,7 +18,7 @@ use glam::{DVec2, DVec3};
 pub(super) const FEATURE: f64 = 1e-12;
 
 /// How many times as much where features seem not to meet, one after the other.
-const WIDE: [f64; 3] = [16.0, 256.0, 4096.0];
+pub(super) const WIDE: [f64; 3] = [16.0, 256.0, 4096.0];
 
 /// Up to this many vertices are all looked at; of more, only those around the farthest.
 const FEW: usize = 24;
@@ -183,7 +183,7 @@ pub(super) fn summit<const N: usize>(body: &Body, direction: DVec3, known: [u32;
 }
 
 /// The same to within a share of the body's radius.
-fn summit_within<const N: usize>(
+pub(super) fn summit_within<const N: usize>(
     body: &Body,
     direction: DVec3,
     known: [u32; N],

@@ -108,6 +108,8 @@ impl Gap {
 /// parting axes; van den Bergen, *Proximity Queries and Penetration Depth
 /// Computation* (2001) for the expansion, done here with exact predicates.
 ///
+/// Poses that are not finite overlap nothing.
+///
 /// Two spheres, or two boxes, take constant time. Polytopes that are apart
 /// take a few supports; those that overlap some more the deeper they do.
 ///
@@ -128,6 +130,10 @@ impl Gap {
 /// ```
 #[must_use]
 pub fn overlap(a: &Shape, pose_a: &Pose, b: &Shape, pose_b: &Pose) -> Option<Overlap> {
+    let is_finite = |pose: &Pose| pose.position.is_finite() && pose.orientation.is_finite();
+    if !is_finite(pose_a) || !is_finite(pose_b) {
+        return None;
+    }
     overlap_or_gap(a, pose_a, b, pose_b).ok()
 }
 
