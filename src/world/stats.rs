@@ -21,7 +21,7 @@ pub struct StepStats {
     /// other that the search ran out of budget.
     ///
     /// If one overlaps as the frame ends, its touch is told, at the moment until which it is proven
-    /// apart; else a touch in the rest of the frame went unseen, if there was one.
+    /// apart, with the point and the normal of that overlap; else a touch in the rest of the frame went unseen, if there was one.
     pub undecided: usize,
     /// Rays cast.
     pub rays: u64,
