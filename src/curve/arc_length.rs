@@ -1,135 +1,119 @@
 //! From distance flown to place on a sequence of curves, and back.
 
 use crate::curve::CubicBezier;
-use crate::curve::fit::{FITTER, Fit};
+use crate::curve::builder::Builder;
+use crate::curve::fit::Fit;
+use crate::curve::hodograph::Hodograph;
 use crate::curve::span::{self, Span};
+use glam::DVec3;
 
 /// Arc length over a sequence of curves: exact, both ways.
 ///
 /// Every curve is cut into spans on which one quadrature rule is exact to
-/// rounding. A distance finds its curve through a grid of equal cells, two per curve,
-/// and a bisection among the curves that start in its cell (none or one, if they are of
-/// like length), and then its span; there an interpolation guesses the inverse, and one step of
-/// an iteration on the integral makes it exact. Splines that are not long have a polynomial besides that
-/// is the inverse itself, wherever that was found to be so.
+/// rounding, and these into spans on which a polynomial is the inverse, wherever that may be. A distance finds its span
+/// through a grid of equal cells, two per span, that tell the span at their start and where
+/// the next one begins.
 ///
-/// What tells curve and span is small and stays near at hand; so a look-up among ten thousand
-/// curves waits for memory once, for the curve and its spans together.
+/// So a look-up reads a cell, which is small and stays near at hand, and then two cache lines side by
+/// side: among ten thousand curves it waits for memory once.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct ArcLength {
     /// By ascending distance.
-    spans: Vec<Span>,
-    /// One for every span, or none at all.
     fits: Vec<Fit>,
-    /// Number of each curve's first span; one entry more than curves.
+    /// For each fit: the fourth derivative by arc length is no more than the inverse of this one's fourth power; 0 beside a
+    /// cusp.
+    smooth: Vec<f32>,
+    /// Those of the fits that have no polynomial, by their numbers: some may begin at the same distance, as far as numbers
+    /// go.
+    halts: Vec<(u32, Span)>,
+    /// Number of each curve's first fit; one entry more than curves.
     firsts: Vec<u32>,
-    /// For each curve where its second span starts and so on: infinity where there are no more.
-    edges: Vec<[f64; EDGES]>,
     /// Distance from the path's start to each curve's; one entry more than curves.
     joints: Vec<f64>,
-    /// How many curves start in an earlier cell; one entry more than cells.
-    cells: Vec<u32>,
+    cells: Vec<Cell>,
     cells_per_metre: f64,
     length: f64,
+}
+
+/// An equal part of the path.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Cell {
+    /// The span at the start.
+    first: u32,
+    /// Share of the cell at which the next begins, or more than 1.
+    edge: f32,
 }
 
 /// Where a look-up has ended: the number of a span, as good as any of which nothing is known.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Near(u32);
 
-/// Cells of the grid for each curve. More leave fewer curves to a cell, at 4 bytes each.
+/// Cells of the grid for each span. More leave fewer spans to a cell, at 8 bytes each.
 const CELLS: usize = 2;
-
-/// Curves up to which spans have a [`Fit`] each: some 1.6 MB.
-///
-/// A look-up takes two thirds of the time by a fit, as long as that is near at hand. Of ten thousand curves it is not:
-/// there most of the time is spent on waiting for memory, and ten times as long a building is not worth it.
-const FITTED: usize = 1024;
-
-/// How often a span is halved at most so that it has a good [`Fit`]: beside a standstill none has.
-const HALVINGS: u32 = 3;
-
-/// Spans of a curve, but the first, that are told apart without a branch.
-///
-/// A cache line. Random curves have five or six spans; of one in a hundred thousand that has more than nine
-/// the rest are bisected.
-const EDGES: usize = 8;
 
 impl ArcLength {
     /// Measures `pieces`. If one is shorter than `min_piece`: its index and length.
     pub(crate) fn measure(pieces: &[CubicBezier], min_piece: f64) -> Result<Self, (usize, f64)> {
         let count = pieces.len();
+        let polygon = |curve: &CubicBezier| {
+            let sides = curve.velocity().map(DVec3::length);
+            sides.iter().sum::<f64>() / 3.0
+        };
+        // Of the polygons around the curves: longer than the path, as a rule by little.
+        let whole: f64 = pieces.iter().map(polygon).sum();
+        let mut builder = Builder::new(0.0625 * f64::EPSILON * whole);
         let mut firsts = Vec::with_capacity(count + 1);
         let mut joints = Vec::with_capacity(count + 1);
-        let mut edges = Vec::with_capacity(count);
-        let mut fits = Vec::new();
-        let mut spans = Vec::with_capacity(2 * count);
-        let mut sum = Sum::default();
         for (piece, curve) in pieces.iter().enumerate() {
-            joints.push(sum.value());
-            firsts.push(spans.len() as u32);
-            let mut length = 0.0;
+            joints.push(builder.sum.value());
+            firsts.push(builder.fits.len() as u32);
             let velocity = curve.velocity();
             // No longer than its speed is great; of what underflows no halving would be good.
             let fastest = velocity.iter().map(|v| v.length()).fold(0.0, f64::max);
             if fastest < min_piece {
                 return Err((piece, fastest));
             }
-            span::subdivide(&velocity, 0.0..1.0, |cut| {
-                Span::each(&velocity, &cut, |span, way| {
-                    let mut push = |mut span: Span, way: f64| {
-                        span.start = sum.value();
-                        span.measure(curve);
-                        spans.push(span);
-                        sum.add(way);
-                        length += way;
-                        span.start
-                    };
-                    if count > FITTED {
-                        push(span, way);
-                        return;
-                    }
-                    FITTER.each(&velocity, (span, way), HALVINGS, &mut |span, fit, way| {
-                        let start = push(span, way);
-                        fits.push(Fit {
-                            start,
-                            piece: piece as u32,
-                            ..fit
-                        });
-                    });
-                });
+            let mut length = 0.0;
+            span::sections(&velocity, 0.0..1.0, |section| {
+                length += builder.add((piece as u32, curve), &velocity, section);
             });
-            let mut starts = [f64::INFINITY; EDGES];
-            let first = firsts.last().map_or(0, |&first| first as usize);
-            for (start, span) in starts.iter_mut().zip(spans.iter().skip(first + 1)) {
-                *start = span.start;
-            }
-            edges.push(starts);
             debug_assert!(length.is_finite(), "piece {piece} has length {length}");
             if length < min_piece {
                 return Err((piece, length));
             }
         }
-        joints.push(sum.value());
-        firsts.push(spans.len() as u32);
+        let length = builder.sum.value();
+        joints.push(length);
+        firsts.push(builder.fits.len() as u32);
         let mut arc_length = Self {
-            edges,
-            fits,
-            spans,
+            cells: Vec::new(),
+            cells_per_metre: (CELLS * builder.fits.len()) as f64 / length,
+            fits: builder.fits,
+            smooth: builder.smooth,
+            halts: builder.halts,
             firsts,
             joints,
-            cells: Vec::with_capacity(CELLS * count + 1),
-            cells_per_metre: (CELLS * count) as f64 / sum.value(),
-            length: sum.value(),
+            length,
         };
-        for (index, &start) in arc_length.joints[..count].iter().enumerate() {
-            let cell = arc_length.cell(start);
-            while arc_length.cells.len() <= cell {
-                arc_length.cells.push(index as u32);
+        arc_length.fill_cells();
+        Ok(arc_length)
+    }
+
+    fn fill_cells(&mut self) {
+        let count = CELLS * self.fits.len();
+        let mut cells: Vec<Cell> = Vec::with_capacity(count);
+        for (number, fit) in self.fits.iter().enumerate().skip(1) {
+            let (index, edge) = self.cell(fit.start);
+            // Of several in a cell the first.
+            if cells.len() <= index {
+                let first = number as u32 - 1;
+                cells.resize(index, Cell { first, edge: 2.0 });
+                cells.push(Cell { first, edge });
             }
         }
-        arc_length.cells.resize(CELLS * count + 1, count as u32);
-        Ok(arc_length)
+        let first = self.fits.len().saturating_sub(1) as u32;
+        cells.resize(count, Cell { first, edge: 2.0 });
+        self.cells = cells;
     }
 
     /// Length of all curves together.
@@ -161,15 +145,17 @@ impl ArcLength {
         if distance.is_nan() || distance <= 0.0 {
             return ((0, 0.0), Near(0));
         }
-        match self.fits.get(near.0 as usize) {
-            Some(fit) if fit.holds(distance) => ((fit.piece as usize, fit.u_at(distance)), near),
-            Some(fit) if self.is_on(fit.piece as usize, distance) => {
-                let piece = fit.piece as usize;
-                let (u, near) = self.seek(pieces, piece, distance, near);
-                ((piece, u), near)
+        if let Some(fit) = self.fits.get(near.0 as usize) {
+            let piece = fit.piece as usize;
+            if let Some(u) = fit.sure_u_at(distance) {
+                return ((piece, u), near);
             }
-            _ => self.find(pieces, distance),
+            if self.is_on(piece, distance) {
+                let (u, near) = self.seek(pieces, piece, distance, near);
+                return ((piece, u), near);
+            }
         }
+        self.find(pieces, distance)
     }
 
     /// Whether a distance lies on a curve, or where it begins.
@@ -183,7 +169,10 @@ impl ArcLength {
     pub(crate) fn piece_near(&self, distance: f64, near: Near) -> (usize, Near) {
         match self.fits.get(near.0 as usize) {
             Some(fit) if self.is_on(fit.piece as usize, distance) => (fit.piece as usize, near),
-            _ => self.span_at(distance),
+            _ => {
+                let number = self.number_at(distance);
+                (self.fits[number].piece as usize, Near(number as u32))
+            }
         }
     }
 
@@ -200,65 +189,92 @@ impl ArcLength {
     ) -> (f64, Near) {
         let (first, last) = (self.firsts[piece], self.firsts[piece + 1] - 1);
         let mut number = near.0.clamp(first, last);
-        while number < last && self.spans[number as usize + 1].start <= distance {
+        while number < last && self.fits[number as usize + 1].start <= distance {
             number += 1;
         }
-        while number > first && self.spans[number as usize].start > distance {
+        while number > first && self.fits[number as usize].start > distance {
             number -= 1;
         }
-        let number = Near(number);
-        (self.u_on(pieces, piece, number, distance), number)
+        (self.u_on(pieces, number as usize, distance), Near(number))
     }
 
+    #[inline]
     fn find(&self, pieces: &[CubicBezier], distance: f64) -> ((usize, f64), Near) {
-        let (piece, number) = self.span_at(distance);
-        if distance >= self.length {
-            return ((piece, 1.0), number);
+        let number = self.guess(distance);
+        // Far beyond the end there may be none.
+        if let Some(fit) = self.fits.get(number)
+            && let Some(u) = fit.sure_u_at(distance)
+        {
+            return ((fit.piece as usize, u), Near(number as u32));
         }
-        let u = self.u_on(pieces, piece, number, distance.max(0.0));
-        ((piece, u), number)
+        self.search(pieces, distance)
     }
 
-    /// The parameter at `distance` on a span of `piece`.
-    #[inline]
-    fn u_on(&self, pieces: &[CubicBezier], piece: usize, span: Near, distance: f64) -> f64 {
-        match self.fits.get(span.0 as usize) {
-            Some(fit) if fit.good => fit.u_at(distance),
-            _ => self.spans[span.0 as usize].u_at(&pieces[piece].velocity(), distance),
-        }
-    }
-
-    /// The curve at `distance`, and its span.
-    #[inline]
-    fn span_at(&self, distance: f64) -> (usize, Near) {
-        if distance >= self.length {
-            let last = self.spans.len().saturating_sub(1);
-            return (self.joints.len() - 2, Near(last as u32));
-        }
+    /// The same, wherever it is.
+    fn search(&self, pieces: &[CubicBezier], distance: f64) -> ((usize, f64), Near) {
+        // NaN counts as 0.
         let distance = distance.max(0.0);
-        let cell = self.cell(distance);
-        // `cell` never falls as its argument rises, so curves that start in an
-        // earlier cell start earlier, and those in a later cell start later.
-        let first = self.cells[cell] as usize;
-        let count = self.cells[cell + 1] as usize - first;
-        let after = if count < 2 {
-            // Without a guess at what is less: there is one joint more than curves.
-            first + (count & usize::from(self.joints[first] <= distance))
+        let number = self.number_at(distance);
+        let u = if distance < self.length {
+            self.u_on(pieces, number, distance)
         } else {
-            let same_cell = &self.joints[first..first + count];
-            first + same_cell.partition_point(|start| *start <= distance)
+            1.0
         };
-        let piece = after.saturating_sub(1);
-        let edges = &self.edges[piece];
-        let mut index = edges
-            .map(|start| u32::from(start <= distance))
-            .iter()
-            .sum::<u32>() as usize;
-        if index == EDGES {
-            let spans = self.spans_of(piece);
-            index = spans.partition_point(|span| span.start <= distance) - 1;
+        ((self.fits[number].piece as usize, u), Near(number as u32))
+    }
+
+    /// The parameter at `distance` on a span.
+    #[inline]
+    fn u_on(&self, pieces: &[CubicBezier], number: usize, distance: f64) -> f64 {
+        let fit = &self.fits[number];
+        match fit.u_at(distance) {
+            Some(u) => u,
+            None => self.u_beside_halt(pieces, number, distance),
         }
-        (piece, Near(self.firsts[piece] + index as u32))
+    }
+
+    #[cold]
+    fn u_beside_halt(&self, pieces: &[CubicBezier], number: usize, distance: f64) -> f64 {
+        let after = (self.halts).partition_point(|(halt, _)| *halt as usize <= number);
+        let (_, span) = &self.halts[after.saturating_sub(1)];
+        let piece = self.fits[number].piece as usize;
+        span.u_at(&pieces[piece].velocity(), distance)
+    }
+
+    /// Most likely the span at `distance`.
+    #[inline]
+    fn guess(&self, distance: f64) -> usize {
+        let (index, share) = self.cell(distance);
+        let Cell { first, edge } = self.cells[index];
+        first as usize + usize::from(share >= edge)
+    }
+
+    /// The cell at a distance, and the share of it before that.
+    #[inline]
+    fn cell(&self, distance: f64) -> (usize, f32) {
+        let place = distance * self.cells_per_metre;
+        // `as` saturates and takes NaN to 0.
+        let index = (place as usize).min(CELLS * self.fits.len() - 1);
+        (index, (place - index as f64) as f32)
+    }
+
+    /// The last span that begins at `distance` or before, or the first.
+    fn number_at(&self, distance: f64) -> usize {
+        let is_after = |number: usize| {
+            let fit = self.fits.get(number);
+            fit.is_none_or(|fit| fit.start > distance)
+        };
+        let guess = self.guess(distance).min(self.fits.len() - 1);
+        // By rounding one too many.
+        let number = guess - usize::from(guess > 0 && is_after(guess));
+        if let Some(few) = (0..2).find(|more| is_after(number + more + 1)) {
+            return number + few;
+        }
+        // Neither the multiple nor `as` falls as the distance rises: a span that begins in a later cell begins later.
+        let next = self.cells.get(self.cell(distance).0 + 1);
+        let last = next.map_or(self.fits.len() - 1, |next| next.first as usize);
+        let many = &self.fits[number..=last.max(number)];
+        number + many.partition_point(|fit| fit.start <= distance).max(1) - 1
     }
 
     /// The distance at parameter `u` of `piece`; places beyond the ends are clamped.
@@ -267,14 +283,15 @@ impl ArcLength {
         if piece.saturating_add(1) >= self.joints.len() || u >= 1.0 || u <= 0.0 {
             return self.joint(piece.saturating_add(usize::from(u >= 1.0)));
         }
-        let spans = self.spans_of(piece);
-        let index = spans
-            .partition_point(|span| span.u_start <= u)
+        let fits = &self.fits[self.firsts[piece] as usize..self.firsts[piece + 1] as usize];
+        let index = fits
+            .partition_point(|fit| fit.u_start <= u)
             .saturating_sub(1);
-        let next = spans.get(index + 1);
+        let next = fits.get(index + 1);
         let end = next.map_or_else(|| self.joint(piece + 1), |next| next.start);
-        let distance = spans[index].distance_to(&pieces[piece].velocity(), u);
-        distance.map_or(end, |distance| distance.min(end))
+        let Fit { start, u_start, .. } = fits[index];
+        let stretch = Hodograph::over(&pieces[piece].velocity(), u_start, u - u_start);
+        (start + stretch.length_to(1.0)).min(end)
     }
 
     /// How far a curve may be followed from `distance` on, which lies [there](Near), up to its end or back to its
@@ -293,17 +310,17 @@ impl ArcLength {
         // Rounding may have told the neighbour's span.
         let mut span = near.0.clamp(first, next - 1);
         loop {
-            let here = smooth.min(f64::from(self.spans[span as usize].smooth));
+            let here = smooth.min(f64::from(self.smooth[span as usize]));
             let longest = root * here;
             if longest <= way {
                 return (way, smooth);
             }
             smooth = here;
             let (end, last) = if forward {
-                let end = self.spans.get(span as usize + 1);
+                let end = self.fits.get(span as usize + 1);
                 (end.map_or(self.length, |next| next.start), span + 1 == next)
             } else {
-                (self.spans[span as usize].start, span == first)
+                (self.fits[span as usize].start, span == first)
             };
             let room = (end - distance).abs();
             if last || longest <= room {
@@ -313,43 +330,6 @@ impl ArcLength {
             span = if forward { span + 1 } else { span - 1 };
         }
     }
-
-    /// A curve's spans: at least one.
-    #[inline]
-    fn spans_of(&self, piece: usize) -> &[Span] {
-        &self.spans[self.firsts[piece] as usize..self.firsts[piece + 1] as usize]
-    }
-
-    #[inline]
-    fn cell(&self, distance: f64) -> usize {
-        let cell = distance * self.cells_per_metre;
-        // `as` saturates and takes NaN to 0.
-        (cell as usize).min(CELLS * (self.joints.len() - 1) - 1)
-    }
-}
-
-/// A running sum that carries what rounding drops (Kahan, Babuška and Neumaier),
-/// for terms that are not negative: ten thousand pieces cost no digits.
-#[derive(Default)]
-struct Sum {
-    sum: f64,
-    dropped: f64,
-}
-
-impl Sum {
-    fn add(&mut self, term: f64) {
-        let sum = self.sum + term;
-        self.dropped += if self.sum >= term {
-            (self.sum - sum) + term
-        } else {
-            (term - sum) + self.sum
-        };
-        self.sum = sum;
-    }
-
-    fn value(&self) -> f64 {
-        self.sum + self.dropped
-    }
 }
 
 #[cfg(test)]
@@ -358,49 +338,102 @@ mod tests {
 
     /// Else look-ups are slow, and nobody would see it.
     #[test]
-    fn most_spans_are_smooth_and_few() {
+    fn most_spans_have_a_polynomial_and_are_few() {
         let point = |index: u32| {
             let angle = f64::from(index);
-            glam::DVec3::new(
+            DVec3::new(
                 angle.sin(),
                 (1.7 * angle).cos(),
                 (0.3 * angle * angle).sin(),
             )
         };
-        let pieces: Vec<_> = (0..2 * FITTED as u32)
+        let pieces: Vec<_> = (0..10_000)
             .filter_map(|index| CubicBezier::new([0, 1, 2, 3].map(|i| point(3 * index + i))).ok())
             .collect();
+        let Ok(long) = ArcLength::measure(&pieces, 1e-9) else {
+            panic!("the pieces have lengths");
+        };
+        let few = &pieces[..100];
+        let Ok(short) = ArcLength::measure(few, 1e-9) else {
+            panic!("the pieces have lengths");
+        };
+        assert_eq!(size_of::<Fit>(), 128);
+        for (arc_length, most) in [(&long, 10), (&short, 15)] {
+            let (all, halts) = (arc_length.fits.len(), arc_length.halts.len());
+            assert!(20 * halts < all, "{halts} of {all}");
+            let pieces = arc_length.joints.len() - 1;
+            assert!(all < most * pieces, "{all} of {pieces}");
+        }
+        // Where the spans of a long path are coarser, they still are exact to its rounding.
+        for share in 0..10_000 {
+            let distance = short.length() * f64::from(share) / 10_000.0;
+            let (piece, u) = short.locate(few, distance);
+            let (other, v) = long.locate(&pieces, distance);
+            // Where the curve is slow that is more of its parameter.
+            let slow = pieces[piece].derivative(u).length().min(1.0);
+            assert!(
+                piece == other && slow * (u - v).abs() < 2e-12,
+                "{piece} {u} {other} {v}"
+            );
+        }
+    }
+
+    /// Whoever asks, and from wherever: the same bits.
+    #[test]
+    fn every_way_to_a_place_leads_to_the_same() {
+        // Pieces of all sizes, so that some cells hold hundreds of spans; and cusps.
+        let point = |index: u32| {
+            let angle = f64::from(index);
+            let size = 10.0_f64.powi(-4 * (index as i32 / 30 % 3));
+            size * DVec3::new(angle.sin(), (1.7 * angle).cos(), 0.0)
+        };
+        let mut pieces = Vec::new();
+        let mut from = DVec3::ZERO;
+        for index in 0..300 {
+            let to = from + point(index);
+            let way = if index % 7 == 0 { 0.0 } else { 3.0 };
+            pieces.extend(CubicBezier::from_hermite(
+                from,
+                way * point(index + 1),
+                to,
+                DVec3::ZERO,
+            ));
+            from = to;
+        }
         let Ok(arc_length) = ArcLength::measure(&pieces, 1e-9) else {
             panic!("the pieces have lengths");
         };
-        let all = arc_length.spans.len();
-        let mut smooth = 0;
-        for (index, curve) in pieces.iter().enumerate() {
-            let is_smooth = |span: &&Span| span.is_smooth(&curve.velocity());
-            smooth += arc_length.spans_of(index).iter().filter(is_smooth).count();
-        }
-        assert!(20 * smooth > 19 * all, "{smooth} of {all}");
-        assert!(all < 8 * pieces.len(), "{all} of {}", pieces.len());
-        assert_eq!(size_of::<Span>(), 64);
-        let Ok(short) = ArcLength::measure(&pieces[..FITTED], 1e-9) else {
-            panic!("the pieces have lengths");
-        };
-        let good = short.fits.iter().filter(|fit| fit.good).count();
-        let all = short.spans.len();
-        assert!(50 * good > 49 * all, "{good} of {all}");
-        // Some 1.6 MB.
-        assert!(all < 10 * FITTED, "{all}");
-        for share in 0..10_000 {
-            let distance = short.length() * f64::from(share) / 10_000.0;
-            let (piece, u) = short.locate(&pieces, distance);
-            let (other, v) = arc_length.locate(&pieces, distance);
-            // The two add up other spans, and distances are rounded; where the curve is slow that is more of
-            // its parameter.
-            let slow = pieces[piece].derivative(u).length().min(1.0);
-            assert!(
-                piece == other && slow * (u - v).abs() < 1e-15 * short.length(),
-                "{piece} {u} {other} {v}"
+        assert!(!arc_length.halts.is_empty());
+        let starts = arc_length.fits.iter().map(|fit| fit.start);
+        let beside = starts.flat_map(|start| [start.next_down(), start, start.next_up()]);
+        let even = (0..3000).map(|share| arc_length.length() * f64::from(share) / 2999.0);
+        for (round, distance) in beside.chain(even).enumerate() {
+            let (place, near) = arc_length.find(&pieces, distance);
+            assert_eq!(
+                arc_length.search(&pieces, distance),
+                (place, near),
+                "{distance}"
             );
+            let after = arc_length
+                .fits
+                .partition_point(|fit| fit.start <= distance.max(0.0));
+            assert_eq!(near.0 as usize + 1, after, "{distance}");
+            for far in [
+                near.0,
+                near.0 + 1,
+                near.0.saturating_sub(1),
+                0,
+                37 * round as u32,
+            ] {
+                let found = arc_length.locate_near(&pieces, distance, Near(far)).0;
+                assert_eq!(found, place, "{distance} from {far}");
+                let (piece, u) = place;
+                if arc_length.is_on(piece, distance) {
+                    let sought = arc_length.seek(&pieces, piece, distance, Near(far)).0;
+                    assert_eq!(sought.to_bits(), u.to_bits(), "{distance} from {far}");
+                    assert_eq!(arc_length.piece_near(distance, Near(far)).0, piece);
+                }
+            }
         }
     }
 }

@@ -6,10 +6,12 @@
 
 mod arc_length;
 mod bezier;
+mod builder;
 mod catmull_rom;
 #[cfg(feature = "serde")]
 mod data;
 mod fit;
+mod fitter;
 mod hermite;
 mod hodograph;
 mod jounce;

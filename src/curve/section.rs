@@ -38,18 +38,6 @@ impl Section {
         }
     }
 
-    /// Both halves, by the parameter.
-    pub(crate) fn halves(&self) -> [Self; 2] {
-        let [a, b, c] = self.velocity;
-        let (first, last) = (0.5 * (a + b), 0.5 * (b + c));
-        let middle = 0.5 * (first + last);
-        [[a, first, middle], [middle, last, c]].map(|velocity| Self {
-            velocity,
-            width: 0.5 * self.width,
-            sense: self.sense,
-        })
-    }
-
     /// Unit tangents at both ends, in the direction of flight; zero in a cusp.
     pub(crate) fn end_tangents(&self) -> [DVec3; 2] {
         [self.velocity[0], self.velocity[2]].map(|v| self.sense * v.normalize_or_zero())

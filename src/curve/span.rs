@@ -1,7 +1,6 @@
 //! Stretches of a cubic short enough for one quadrature rule.
 
 use crate::curve::hodograph::Hodograph;
-use crate::curve::{CubicBezier, Section};
 use glam::DVec3;
 use std::ops::Range;
 
@@ -47,14 +46,12 @@ pub(crate) struct Span {
     /// Distance from the path's start to the span's.
     pub(crate) start: f64,
     /// Parameter of the curve at the span's start.
-    pub(crate) u_start: f64,
+    u_start: f64,
     /// How far the parameter goes.
     width: f64,
     /// The reciprocal of its arc length.
     per_length: f64,
     guess: Guess,
-    /// The fourth derivative by arc length is no more than the inverse of this one's fourth power; 0 beside a cusp.
-    pub(crate) smooth: f32,
 }
 
 /// A stretch of a cubic that is short enough to be a [`Span`].
@@ -63,18 +60,6 @@ pub(crate) struct Cut {
     pub(crate) u_start: f64,
     pub(crate) width: f64,
     pub(crate) length: f64,
-}
-
-impl Cut {
-    /// Both halves, by the parameter.
-    fn halves(&self, velocity: &[DVec3; 3]) -> [Self; 2] {
-        let width = 0.5 * self.width;
-        [self.u_start, self.u_start + width].map(|u_start| Self {
-            u_start,
-            width,
-            length: Hodograph::over(velocity, u_start, width).length_to(1.0),
-        })
-    }
 }
 
 /// Coefficients of a first guess: two fewer than the degree of the interpolation, whose ends are
@@ -173,93 +158,24 @@ impl Guess {
 }
 
 impl Span {
-    /// Cuts into spans on which one step of the iteration is enough, if that may be, and hands them
-    /// over with their lengths.
-    pub(crate) fn each(velocity: &[DVec3; 3], cut: &Cut, mut emit: impl FnMut(Self, f64)) {
-        let span = Self::new(velocity, cut);
-        // Beside a standstill halving changes nothing.
-        if span.is_smooth(velocity) || !matches!(span.guess, Guess::Smooth(_)) {
-            emit(span, cut.length);
-            return;
-        }
-        for half in cut.halves(velocity) {
-            let span = Self::new(velocity, &half);
-            if span.is_smooth(velocity) {
-                emit(span, half.length);
-            } else {
-                for quarter in half.halves(velocity) {
-                    emit(Self::new(velocity, &quarter), quarter.length);
-                }
-            }
-        }
-    }
-
-    /// Both halves, by the parameter, of a span that is `length` long; with their lengths.
-    pub(crate) fn halves(&self, velocity: &[DVec3; 3], length: f64) -> [(Self, f64); 2] {
-        let whole = Cut {
-            u_start: self.u_start,
-            width: self.width,
-            length,
-        };
-        (whole.halves(velocity)).map(|half| (Self::new(velocity, &half), half.length))
-    }
-
-    fn new(velocity: &[DVec3; 3], cut: &Cut) -> Self {
+    /// The span that a part of a curve is, at `start` metres of a path.
+    pub(crate) fn new(velocity: &[DVec3; 3], cut: &Cut, start: f64) -> Self {
         let hodograph = Hodograph::over(velocity, cut.u_start, cut.width);
         Self {
-            start: 0.0,
+            start,
             u_start: cut.u_start,
             width: cut.width,
             per_length: cut.length.recip(),
             guess: Guess::new(&hodograph, cut.length),
-            smooth: 0.0,
-        }
-    }
-
-    /// Looks how much the fourth derivative is at most.
-    ///
-    /// What bounds halves does so better than what bounds the whole.
-    pub(crate) fn measure(&mut self, curve: &CubicBezier) {
-        let ends = [self.u_start, (self.u_start + self.width).min(1.0)];
-        let [first, last] = Section::of(curve, ends, true).halves();
-        let root = first.jounce().max(last.jounce()).sqrt().sqrt();
-        // Of a straight one, as far as numbers go.
-        self.smooth = (root.recip() as f32).min(f32::MAX).next_down().max(0.0);
-    }
-
-    /// Whether one step of the iteration is enough.
-    ///
-    /// It is not where the curve is fast in between or slow at an end; and not where its speed is a
-    /// polynomial, whose zeros the quadrature does not see and the inverse does.
-    pub(crate) fn is_smooth(&self, velocity: &[DVec3; 3]) -> bool {
-        let hodograph = Hodograph::over(velocity, self.u_start, self.width);
-        matches!(self.guess, Guess::Smooth(_))
-            && [0.06, 0.5, 0.94].into_iter().all(|share| {
-                let x = self.guess.at(share);
-                Step::from(&hodograph, x, share / self.per_length).is_last()
-            })
-    }
-
-    /// The span with the curve's velocity along it.
-    pub(crate) fn place(&self, velocity: &[DVec3; 3]) -> Place<'_> {
-        Place {
-            span: self,
-            hodograph: Hodograph::over(velocity, self.u_start, self.width),
         }
     }
 
     /// The parameter at `distance` from the path's start.
     #[inline]
     pub(crate) fn u_at(&self, velocity: &[DVec3; 3], distance: f64) -> f64 {
-        let width = self.place(velocity).width_to(distance - self.start);
-        (self.u_start + width).min(1.0)
-    }
-
-    /// The distance from the path's start to the parameter `u`; none if that lies beyond the span.
-    pub(crate) fn distance_to(&self, velocity: &[DVec3; 3], u: f64) -> Option<f64> {
         let hodograph = Hodograph::over(velocity, self.u_start, self.width);
-        let x = (u - self.u_start) / self.width;
-        (x < 1.0).then(|| self.start + hodograph.length_to(x))
+        let x = self.invert(&hodograph, distance - self.start);
+        (self.u_start + x * self.width).min(1.0)
     }
 
     /// Where on the span, from 0 to 1, the arc length from its start is
@@ -284,20 +200,6 @@ impl Span {
             return step.last(x);
         }
         iterate(hodograph, distance, x)
-    }
-}
-
-/// A span, and the velocity along it.
-pub(crate) struct Place<'s> {
-    span: &'s Span,
-    hodograph: Hodograph,
-}
-
-impl Place<'_> {
-    /// How far the parameter goes on the first `distance` metres.
-    #[inline]
-    pub(crate) fn width_to(&self, distance: f64) -> f64 {
-        self.span.invert(&self.hodograph, distance) * self.span.width
     }
 }
 
@@ -380,21 +282,30 @@ fn iterate(hodograph: &Hodograph, distance: f64, guess: f64) -> f64 {
 /// `velocity` are the control points of the cubic's derivative.
 ///
 /// A span is good when the rule over the whole of it agrees with the rule over
-/// its halves. That test alone would not do: where the curve halts (a cusp), or all
-/// but halts, its speed has a kink, and a kink between a span's end and its first
-/// node is seen by neither rule. So the curve is first cut wherever it is slow and
-/// slowest; beside a cusp that lies on a cut the speed is smooth.
+/// its halves. That test alone would not do: see [`sections`].
 pub(crate) fn subdivide(velocity: &[DVec3; 3], range: Range<f64>, mut emit: impl FnMut(Cut)) {
+    let mut cutter = Cutter {
+        velocity,
+        error: SPAN_ERROR * greatest(velocity),
+        emit: &mut emit,
+    };
+    sections(velocity, range, |Range { start, end }| {
+        let part = Hodograph::over(velocity, start, end - start);
+        cutter.cut(start, end - start, part.length_to(1.0), MAX_HALVINGS);
+    });
+}
+
+/// Cuts the stretch `range` of a cubic wherever it is slow and slowest.
+///
+/// Where the curve halts (a cusp), or all
+/// but halts, its speed has a kink, and a kink between a stretch's end and its first
+/// node is seen by no rule. Beside a cusp that lies on a cut the speed is smooth.
+pub(crate) fn sections(velocity: &[DVec3; 3], range: Range<f64>, mut emit: impl FnMut(Range<f64>)) {
     let width = range.end - range.start;
     if width <= 0.0 {
         return;
     }
-    let size = velocity.iter().map(|v| v.length()).fold(0.0, f64::max);
-    let mut cutter = Cutter {
-        velocity,
-        error: SPAN_ERROR * size,
-        emit: &mut emit,
-    };
+    let size = greatest(velocity);
     let whole = Hodograph::over(velocity, range.start, width);
     let slow = SLOW * width * size;
     // All velocities are means of three: where none of these has too little along the middle
@@ -410,11 +321,15 @@ pub(crate) fn subdivide(velocity: &[DVec3; 3], range: Range<f64>, mut emit: impl
     for end in cuts.chain(std::iter::once(range.end)) {
         // Cuts at the very ends cut nothing.
         if end > start {
-            let part = Hodograph::over(velocity, start, end - start);
-            cutter.cut(start, end - start, part.length_to(1.0), MAX_HALVINGS);
+            emit(start..end);
             start = end;
         }
     }
+}
+
+/// No velocity is greater.
+fn greatest(velocity: &[DVec3; 3]) -> f64 {
+    velocity.iter().map(|v| v.length()).fold(0.0, f64::max)
 }
 
 struct Cutter<'a, Emit> {
