@@ -118,7 +118,8 @@ impl Fitter {
             let way = share * length;
             let y = way * metre;
             let x = y * fit.mean(2.0 * y - 1.0) / width;
-            (hodograph.length_to(x) - way).abs() <= off
+            // The quadrature that it is held against is rounded as much again.
+            (hodograph.length_to(x) - way).abs() <= 2.0 * off
         });
         if good {
             Ok((fit, length, wider))

@@ -21,9 +21,9 @@ use glam::DVec3;
 /// ([`ArcLengthTable`](crate::ArcLengthTable)).
 ///
 /// A look-up evaluates one polynomial, checked when the spline was built, and its steps do not
-/// grow with the number of pieces: some 40 ns for up to a thousand of them, and 60 ns among ten thousand
+/// grow with the number of pieces: 40 to 60 ns for up to a thousand of them, 60 to 100 ns among ten thousand
 /// (`benches/arc_length.rs`); but places that no cache holds any more wait for memory. Building costs some 20 to 35 µs a piece,
-/// more beside a standstill, and a piece takes 1 to 2 kB.
+/// up to four times as much beside standstills, and a piece takes 1 to 2 kB.
 ///
 /// Source: the thesis, section 2.2.8.
 ///
