@@ -1,5 +1,6 @@
 //! A line against the points within a radius of a segment.
 
+use super::ball_approach::Approach;
 use super::ball_line::Line;
 use glam::DVec3;
 
@@ -50,29 +51,27 @@ const PARALLEL: f64 = 1e-30;
 #[inline]
 pub(super) fn meet(line: &Line, from: DVec3, along: DVec3, radius: f64) -> Meeting {
     let start = line.origin - from;
-    // Products with the segment's length, or its square, throughout: divided is once, at the end.
-    let length = along.length_squared();
-    let (rate, offset) = (line.direction.dot(along), start.dot(along));
-    let turned = line.direction.cross(along);
-    let across = turned.length_squared();
-    if across <= PARALLEL * (line.square * length) {
-        let inverse = 1.0 / length;
-        let (rate, offset) = (rate * inverse, offset * inverse);
-        let away = start - offset * along;
-        return beside(line, [from, from + along], radius, away, (rate, offset));
+    let inverse = 1.0 / along.length_squared();
+    let (rate, offset) = (
+        line.direction.dot(along) * inverse,
+        start.dot(along) * inverse,
+    );
+    let direction = line.direction - rate * along;
+    let origin = start - offset * along;
+    let square = direction.length_squared();
+    if square <= PARALLEL * line.square {
+        return beside(line, [from, from + along], radius, origin, (rate, offset));
     }
-    let moment = start.dot(turned);
-    let room = radius * radius * across - moment * moment;
-    let half = (room.max(0.0) * length).sqrt();
-    let hit = room >= 0.0;
-    let fraction = -(start.cross(along).dot(turned) + half) / across;
+    let approach = Approach::new(origin, direction, square, radius);
+    let (hit, half) = (approach.room >= 0.0, approach.half(square));
+    let fraction = approach.middle - half;
     let share = offset + rate * fraction;
-    if !(0.0..=length).contains(&share) {
-        let end = usize::from(share > length);
+    if !(0.0..=1.0).contains(&share) {
+        let end = usize::from(share > 1.0);
         let point = if end == 0 { from } else { from + along };
         return meet_point(line, point, radius, end);
     }
-    let away = (start - share / length * along) + fraction * line.direction;
+    let away = approach.closest - half * direction;
     Meeting {
         hit,
         rank: if hit { fraction } else { away.length_squared() },
@@ -85,12 +84,10 @@ pub(super) fn meet(line: &Line, from: DVec3, along: DVec3, radius: f64) -> Meeti
 /// The line with one end.
 #[inline]
 pub(super) fn meet_point(line: &Line, point: DVec3, radius: f64, end: usize) -> Meeting {
-    let start = line.origin - point;
-    let moment = start.cross(line.direction);
-    let room = radius * radius * line.square - moment.length_squared();
-    let (hit, half) = (room >= 0.0, room.max(0.0).sqrt());
-    let fraction = -(start.dot(line.direction) + half) / line.square;
-    let away = start + fraction * line.direction;
+    let approach = Approach::new(line.origin - point, line.direction, line.square, radius);
+    let (hit, half) = (approach.room >= 0.0, approach.half(line.square));
+    let fraction = approach.middle - half;
+    let away = approach.closest - half * line.direction;
     Meeting {
         hit,
         rank: if hit { fraction } else { away.length_squared() },
