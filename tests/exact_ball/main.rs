@@ -11,6 +11,7 @@
     reason = "helpers of tests fail and report as tests do"
 )]
 
+mod along_edges;
 mod check;
 mod draw;
 mod named;
