@@ -69,6 +69,7 @@ fn at_cuboid(
     })
 }
 
+/// Apart from boxes, which the code of these would make slower.
 #[inline(never)]
 fn at_vertices(
     radius: f64,

@@ -16,8 +16,8 @@ use glam::{DVec2, DVec3};
 /// be a segment or a point; there is always at least one corner otherwise.
 ///
 /// The parts of both bodies that lie farthest along the normal, to within 1e-12 of their radii, cut
-/// with each other (Sutherland & Hodgman, 1974); to within a few billionths where those share nothing. O(n) for n corners of the two parts beside a
-/// support of each body.
+/// with each other (Sutherland & Hodgman, 1974); to within a few billionths where those share nothing.
+/// O(n) for n corners of the two parts beside a support of each body.
 ///
 /// ```
 /// use feeler::narrow_phase::exact::{contact_patch, touch};
